@@ -1,0 +1,29 @@
+#pragma once
+
+#include "output.h"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace coppice::app {
+
+/// A command of the program: its parser, and what it does once its options are read. Throws
+/// UsageError for what the parser cannot see is wrong, coppice::Error for a failure.
+struct Command {
+    CLI::App* parser;
+    std::function<void(Output&)> run;
+};
+
+/// Each adds one command to the program's parser. `arguments` is the program's argument list.
+[[nodiscard]] Command add_experiment(CLI::App& program, const std::vector<std::string>& arguments);
+[[nodiscard]] Command add_info(CLI::App& program);
+[[nodiscard]] Command add_list(CLI::App& program);
+[[nodiscard]] Command add_generate(CLI::App& program);
+
+/// Throws UsageError unless there is at least one scene.
+void require_scenes(const CLI::App& command, const std::vector<std::string>& scenes);
+
+}  // namespace coppice::app

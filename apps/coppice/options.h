@@ -1,0 +1,56 @@
+#pragma once
+
+#include "usage.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace coppice::app {
+
+/// What --help shows of an option: its name, what stands for its value, what it means (lines of at
+/// most 68 characters) and its default; the default is also the example in an error.
+struct OptionText {
+    std::string name;         ///< "--max-leaf", or "-o,--out"
+    std::string placeholder;  ///< "N"
+    std::string meaning;
+    std::string default_text;
+};
+
+/// An option with one text value, not empty.
+CLI::Option* add_text(CLI::App& command, const OptionText& text, std::string& value);
+
+/// An option with a whole number in [lowest, highest].
+template <typename Integer>
+CLI::Option* add_whole(CLI::App& command, const OptionText& text, Integer& value,
+                       std::int64_t lowest, std::int64_t highest) {
+    const auto read = [text, &value, lowest, highest](const std::string& given) {
+        value =
+            static_cast<Integer>(parse_whole(text.name, given, lowest, highest, text.default_text));
+    };
+    return command.add_option_function<std::string>(text.name, read, text.meaning)
+        ->type_name(text.placeholder)
+        ->default_str(text.default_text);
+}
+
+/// An option with a number in a range.
+CLI::Option* add_number(CLI::App& command, const OptionText& text, double& value,
+                        const NumberRange& range);
+
+/// An option with a comma list; may be given several times. `read` gets all the texts given.
+CLI::Option* add_list_option(CLI::App& command, const OptionText& text,
+                             const std::function<void(const std::vector<std::string>&)>& read);
+
+/// An option without a value.
+CLI::Option* add_switch(CLI::App& command, const std::string& name, const std::string& meaning,
+                        const std::function<void()>& turn_on);
+
+/// The positional SCENE... of a command.
+CLI::Option* add_scenes(CLI::App& command, std::vector<std::string>& scenes);
+
+/// Makes --help show options as OptionText says, and the usage line as people write it.
+void set_help_format(CLI::App& program);
+
+}  // namespace coppice::app

@@ -1,0 +1,47 @@
+# What every target of coppice shares: the language level, the warnings, where programs are put,
+# and the one way in which files are found.
+include_guard()
+include(GNUInstallDirs)
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+if(PROJECT_IS_TOP_LEVEL)
+  set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+  set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+endif()
+
+# coppice_sources(<variable> <folder>): all .cpp files below a folder; a new file needs no list.
+function(coppice_sources variable folder)
+  file(GLOB_RECURSE found CONFIGURE_DEPENDS ${folder}/*.cpp)
+  set(${variable} ${found} PARENT_SCOPE)
+endfunction()
+
+# coppice_target(<target>): the compile options of our own code.
+function(coppice_target target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+    -Wno-missing-field-initializers # {.rate = 0.05} leaves the rest at its defaults on purpose
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>) # g++ 12 is wrong about "a" + std::string (GCC bug 105651)
+  if(COPPICE_WERROR)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+endfunction()
+
+# coppice_embed(<target> <symbol> <file>): puts a file's bytes into a target, readable through
+#   extern "C" const char <symbol>_begin[], <symbol>_end[];
+function(coppice_embed target symbol file)
+  set(assembly ${CMAKE_CURRENT_BINARY_DIR}/${symbol}.S)
+  file(CONFIGURE OUTPUT ${assembly} @ONLY CONTENT [[
+.section .rodata
+.global @symbol@_begin
+.global @symbol@_end
+@symbol@_begin:
+.incbin "@file@"
+@symbol@_end:
+.byte 0
+.section .note.GNU-stack,"",%progbits
+]])
+  set_source_files_properties(${assembly} PROPERTIES OBJECT_DEPENDS ${file})
+  target_sources(${target} PRIVATE ${assembly})
+endfunction()

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "coppice/build/build_options.h"
+#include "coppice/geom/primitive_set.h"
+#include "coppice/sample/sampler.h"
+#include "coppice/tree/kd_tree.h"
+
+namespace coppice {
+
+/// Second stage: a k-d tree over the sampled primitives, top-down. Its box is that of *all*
+/// primitives, so that the others fit in later. Deterministic for any number of threads.
+/// Source: [Tsiompikas2022] sec. 4.3.1, [Pharr2016] sec. 4.4.
+[[nodiscard]] KdTree build_on_sample(PrimitiveSetView primitives, const Sample& sample,
+                                     const BuildOptions& options);
+
+}  // namespace coppice

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "coppice/cost/sah_cost_model.h"
+#include "coppice/sample/sampler.h"
+
+namespace coppice {
+
+/// What a primitive's box becomes when a plane cuts it.
+enum class Clipping {
+    perfect,      ///< the box of the primitive's part on that side (perfect splits)
+    bounding_box  ///< the box cut at the plane
+};
+
+/// When and where the sampled tree is split. Source: [Tsiompikas2022] sec. 4.3.1.
+struct SplitOptions {
+    std::string rule = "sah";    ///< a name of split_finder_registry()
+    int max_depth = 50;          ///< leaves are no deeper; in [0, 60]
+    std::uint32_t max_leaf = 32; ///< no node with at most so many primitives is split; >= 1
+    int bad_refines = 3;         ///< the split that would be the n-th on its path to cost more
+                                 ///< than the leaf is refused; >= 1
+    Clipping clipping = Clipping::perfect;
+};
+
+/// How the refilled leaves go on.
+enum class Growth {
+    none,  ///< they do not: the thesis's tree
+    kd     ///< each is built on as a k-d tree until no split pays
+};
+
+/// Everything a build depends on, beside the primitives.
+struct BuildOptions {
+    SampleOptions sample;
+    SplitOptions split;
+    Growth growth = Growth::kd;
+    SahCostModel cost;
+    int threads = 0;  ///< at most so many; 0 = all the hardware has
+};
+
+/// Throws Error(invalid_argument) naming the first option outside its range.
+void check(const BuildOptions& options);
+
+/// The stable lower-case name, e.g. "bounding_box".
+[[nodiscard]] const char* name_of(Clipping clipping) noexcept;
+
+/// The stable lower-case name, e.g. "kd".
+[[nodiscard]] const char* name_of(Growth growth) noexcept;
+
+/// Serializes all options under their own names.
+void to_json(nlohmann::json& json, const BuildOptions& options);
+
+}  // namespace coppice

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "coppice/cost/sah_cost_model.h"
+#include "coppice/geom/aabb.h"
+#include "coppice/tree/kd_node.h"
+
+namespace coppice {
+
+/// A primitive's box clipped to the node that refers to it.
+struct Fragment {
+    Aabb box;
+    std::uint32_t id = 0;
+};
+
+/// A plane to split a node at, where primitives in the plane go, and what the split costs.
+struct Split {
+    Plane plane;
+    PlanarSide planar_side = PlanarSide::below;
+    double cost = 0.0;  ///< SahCostModel::split_cost() of it
+};
+
+/// A node about to be split: its box (never without area) and its fragments (never none).
+struct SplitQuery {
+    std::span<const Fragment> fragments;
+    Aabb box;
+    const SahCostModel& cost;
+    double acceptable_cost;  ///< a rule that can choose looks further than its first axis until it
+                             ///< finds a split that costs less
+};
+
+/// Finds where to split a node. Stateless; called from several threads at once.
+class SplitFinder {
+public:
+    SplitFinder() = default;
+    SplitFinder(const SplitFinder&) = delete;
+    SplitFinder& operator=(const SplitFinder&) = delete;
+    virtual ~SplitFinder() = default;
+
+    /// A plane strictly inside the box, or nothing if the rule has none to offer.
+    [[nodiscard]] virtual std::optional<Split> find(const SplitQuery& query) const = 0;
+};
+
+/// A split rule under its name, with one line on what it does.
+struct SplitFinderEntry {
+    std::string_view name;
+    std::string_view summary;
+    const SplitFinder& finder;
+};
+
+/// All split rules; the first is the default.
+[[nodiscard]] std::span<const SplitFinderEntry> split_finder_registry();
+
+/// The rule of that name. Throws Error(invalid_argument) naming those that exist.
+[[nodiscard]] const SplitFinder& find_split_finder(std::string_view name);
+
+}  // namespace coppice

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "coppice/cost/sah_cost_model.h"
+#include "coppice/cost/tree_statistics.h"
+#include "coppice/tree/kd_tree.h"
+
+namespace coppice {
+
+/// Counts a tree and computes its cost bottom-up: C(leaf) = t_isect n, C(inner) = t_trav +
+/// SA(below)/SA C(below) + SA(above)/SA C(above). Children of a node without area (a line, a
+/// point) count nothing: no ray meets them. Source: [Tsiompikas2022] eq. 4 to 6.
+[[nodiscard]] TreeStatistics measure(const KdTree& tree, const SahCostModel& model);
+
+}  // namespace coppice

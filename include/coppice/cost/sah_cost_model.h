@@ -1,0 +1,37 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace coppice {
+
+/// The surface area heuristic's constants, in the same arbitrary unit of time.
+/// Source: [MacDonaldBooth1990], [WaldHavran2006] sec. 3.
+struct SahCostModel {
+    double traversal = 1.0;     ///< of one inner node; >= 0
+    double intersection = 1.0;  ///< of one primitive; > 0
+    double empty_bonus = 0.5;   ///< share of the cost taken off a split with an empty side; [0, 1)
+
+    /// The cost of a leaf of `count` primitives once a ray is in it.
+    [[nodiscard]] constexpr double leaf_cost(double count) const noexcept {
+        return intersection * count;
+    }
+
+    /// The expected cost of a split for a ray in the node, if both children were leaves.
+    /// `p_below`, `p_above`: the children's surface areas over the node's.
+    /// Source: [Tsiompikas2022] eq. 1, [Pharr2016] sec. 4.4.
+    [[nodiscard]] constexpr double split_cost(double p_below, double count_below, double p_above,
+                                              double count_above) const noexcept {
+        const bool cuts_off_empty_space = count_below == 0.0 || count_above == 0.0;
+        const double factor = cuts_off_empty_space ? 1.0 - empty_bonus : 1.0;
+        return traversal +
+               intersection * factor * (p_below * count_below + p_above * count_above);
+    }
+};
+
+/// Throws Error(invalid_argument) naming the first constant outside its range.
+void check(const SahCostModel& model);
+
+/// Serializes a model, all constants under their own names.
+void to_json(nlohmann::json& json, const SahCostModel& model);
+
+}  // namespace coppice

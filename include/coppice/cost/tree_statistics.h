@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace coppice {
+
+/// What a tree is made of and what a random line through its box is expected to cost.
+/// Expectations are per ray that meets the tree's box, by the surface area heuristic.
+struct TreeStatistics {
+    std::uint64_t node_count = 0;
+    std::uint64_t inner_count = 0;
+    std::uint64_t leaf_count = 0;
+    std::uint64_t single_primitive_leaf_count = 0;
+    std::uint64_t empty_leaf_count = 0;
+    std::uint64_t reference_count = 0;
+    int max_level = 0;            ///< depth of the deepest leaf; a lone root is level 0
+    double mean_leaf_size = 0.0;  ///< references per leaf, empty leaves included
+
+    double sah_cost = 0.0;                  ///< in the unit of the cost model
+    double expected_inner_visits = 0.0;     ///< inner nodes a ray passes
+    double expected_leaf_visits = 0.0;      ///< leaves a ray passes, empty ones included
+    double expected_primitive_tests = 0.0;  ///< primitives a ray is tested against
+
+    std::vector<std::uint64_t> depth_histogram;  ///< leaves at each level, 0 to max_level
+    std::vector<double> cost_share_by_depth;     ///< share of sah_cost at each level; sums to 1
+};
+
+/// Serializes all fields under their own names.
+void to_json(nlohmann::json& json, const TreeStatistics& statistics);
+
+}  // namespace coppice

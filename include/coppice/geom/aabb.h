@@ -1,0 +1,101 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "coppice/geom/vec3.h"
+
+namespace coppice {
+
+/// A plane perpendicular to an axis.
+struct Plane {
+    Axis axis = Axis::x;
+    float position = 0.0F;
+
+    friend constexpr bool operator==(const Plane&, const Plane&) = default;
+};
+
+/// An axis-aligned box, closed on all sides. The empty box is lower = +inf, upper = -inf.
+struct Aabb {
+    static constexpr float infinity = std::numeric_limits<float>::infinity();
+
+    Vec3f lower{infinity, infinity, infinity};
+    Vec3f upper{-infinity, -infinity, -infinity};
+
+    [[nodiscard]] constexpr bool is_empty() const noexcept {
+        return !(lower.x <= upper.x && lower.y <= upper.y && lower.z <= upper.z);
+    }
+
+    /// Edge length along an axis, in double so that no finite box overflows; 0 if empty.
+    [[nodiscard]] constexpr double extent(Axis axis) const noexcept {
+        return std::max(0.0, static_cast<double>(upper[axis]) - static_cast<double>(lower[axis]));
+    }
+
+    /// The longest axis; the first of equals.
+    [[nodiscard]] constexpr Axis longest_axis() const noexcept {
+        Axis longest = Axis::x;
+        for (const Axis axis : {Axis::y, Axis::z}) {
+            if (extent(axis) > extent(longest)) longest = axis;
+        }
+        return longest;
+    }
+
+    /// Area of the six faces, in double (a 1e30 box does not overflow); 0 if empty.
+    [[nodiscard]] constexpr double surface_area() const noexcept {
+        const double dx = extent(Axis::x);
+        const double dy = extent(Axis::y);
+        const double dz = extent(Axis::z);
+        return 2.0 * (dx * dy + dy * dz + dz * dx);
+    }
+
+    [[nodiscard]] constexpr bool contains(Vec3f p) const noexcept {
+        return lower.x <= p.x && p.x <= upper.x && lower.y <= p.y && p.y <= upper.y &&
+               lower.z <= p.z && p.z <= upper.z;
+    }
+
+    /// True if the closed boxes share at least a point.
+    [[nodiscard]] constexpr bool overlaps(const Aabb& other) const noexcept {
+        return lower.x <= other.upper.x && other.lower.x <= upper.x && lower.y <= other.upper.y &&
+               other.lower.y <= upper.y && lower.z <= other.upper.z && other.lower.z <= upper.z;
+    }
+
+    constexpr void grow(Vec3f p) noexcept {
+        for (const Axis axis : all_axes) {
+            lower[axis] = std::min(lower[axis], p[axis]);
+            upper[axis] = std::max(upper[axis], p[axis]);
+        }
+    }
+
+    constexpr void grow(const Aabb& other) noexcept {
+        for (const Axis axis : all_axes) {
+            lower[axis] = std::min(lower[axis], other.lower[axis]);
+            upper[axis] = std::max(upper[axis], other.upper[axis]);
+        }
+    }
+
+    friend constexpr bool operator==(const Aabb&, const Aabb&) = default;
+};
+
+/// The part of the box on the lower side of a plane that cuts it.
+[[nodiscard]] constexpr Aabb below(Aabb box, Plane plane) noexcept {
+    box.upper[plane.axis] = plane.position;
+    return box;
+}
+
+/// The part of the box on the upper side of a plane that cuts it.
+[[nodiscard]] constexpr Aabb above(Aabb box, Plane plane) noexcept {
+    box.lower[plane.axis] = plane.position;
+    return box;
+}
+
+/// The common part of two boxes; empty if they do not overlap.
+[[nodiscard]] constexpr Aabb intersection(const Aabb& a, const Aabb& b) noexcept {
+    Aabb common;
+    for (const Axis axis : all_axes) {
+        common.lower[axis] = std::max(a.lower[axis], b.lower[axis]);
+        common.upper[axis] = std::min(a.upper[axis], b.upper[axis]);
+    }
+    return common;
+}
+
+}  // namespace coppice

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <memory>
+
+#include "coppice/geom/aabb.h"
+
+namespace coppice {
+
+/// A set of primitives that trees can be built on. Ids run from 0 to size() - 1.
+/// - `bounds(id)` is the primitive's box: finite, never empty.
+/// - `clipped_bounds(id, box)` is the box of its part inside `box`, within `box`, and empty if no
+///   part is. It may be larger than need be, never smaller; `intersection(bounds(id), box)` will do.
+/// Both are called from several threads at once.
+template <typename T>
+concept PrimitiveSet = requires(const T& set, std::uint32_t id, const Aabb& box) {
+    { set.size() } -> std::convertible_to<std::uint32_t>;
+    { set.bounds(id) } -> std::convertible_to<Aabb>;
+    { set.clipped_bounds(id, box) } -> std::convertible_to<Aabb>;
+};
+
+/// Any PrimitiveSet behind one type, so that the builders are compiled once. Does not own the set
+/// and must not outlive it. Two words of state; calls cost an indirect jump.
+class PrimitiveSetView {
+public:
+    // Implicit by design: a function that takes a PrimitiveSetView takes any set.
+    template <PrimitiveSet Set>
+        requires(!std::same_as<Set, PrimitiveSetView>)
+    PrimitiveSetView(const Set& set) noexcept  // NOLINT(google-explicit-constructor)
+        : set_(std::addressof(set)), calls_(&calls_of<Set>) {}
+
+    [[nodiscard]] std::uint32_t size() const { return calls_->size(set_); }
+
+    [[nodiscard]] Aabb bounds(std::uint32_t id) const { return calls_->bounds(set_, id); }
+
+    [[nodiscard]] Aabb clipped_bounds(std::uint32_t id, const Aabb& box) const {
+        return calls_->clipped_bounds(set_, id, box);
+    }
+
+private:
+    struct Calls {
+        std::uint32_t (*size)(const void*);
+        Aabb (*bounds)(const void*, std::uint32_t);
+        Aabb (*clipped_bounds)(const void*, std::uint32_t, const Aabb&);
+    };
+
+    template <PrimitiveSet Set>
+    static constexpr Calls calls_of{
+        [](const void* set) {
+            return static_cast<std::uint32_t>(static_cast<const Set*>(set)->size());
+        },
+        [](const void* set, std::uint32_t id) {
+            return static_cast<Aabb>(static_cast<const Set*>(set)->bounds(id));
+        },
+        [](const void* set, std::uint32_t id, const Aabb& box) {
+            return static_cast<Aabb>(static_cast<const Set*>(set)->clipped_bounds(id, box));
+        }};
+
+    const void* set_;
+    const Calls* calls_;
+};
+
+}  // namespace coppice

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "coppice/geom/aabb.h"
+#include "coppice/geom/triangle.h"
+
+namespace coppice {
+
+/// Three indices into a vertex array.
+using TriangleIndices = std::array<std::uint32_t, 3>;
+
+/// An indexed triangle mesh that does not own its arrays and must not outlive them. All indices
+/// must be below vertices.size(). Satisfies PrimitiveSet: primitive i is triangle i.
+class TriangleMeshView {
+public:
+    TriangleMeshView() = default;
+
+    TriangleMeshView(std::span<const Vec3f> vertices,
+                     std::span<const TriangleIndices> triangles) noexcept
+        : vertices_(vertices), triangles_(triangles) {}
+
+    [[nodiscard]] std::span<const Vec3f> vertices() const noexcept { return vertices_; }
+
+    [[nodiscard]] std::span<const TriangleIndices> triangles() const noexcept {
+        return triangles_;
+    }
+
+    /// Number of triangles.
+    [[nodiscard]] std::uint32_t size() const noexcept {
+        return static_cast<std::uint32_t>(triangles_.size());
+    }
+
+    /// The corners of triangle `id`, id < size().
+    [[nodiscard]] Triangle triangle(std::uint32_t id) const noexcept {
+        const TriangleIndices& corner = triangles_[id];
+        return {vertices_[corner[0]], vertices_[corner[1]], vertices_[corner[2]]};
+    }
+
+    [[nodiscard]] Aabb bounds(std::uint32_t id) const noexcept {
+        return triangle_bounds(triangle(id));
+    }
+
+    /// The box of the part of triangle `id` inside `box`; see clipped_triangle_bounds().
+    [[nodiscard]] Aabb clipped_bounds(std::uint32_t id, const Aabb& box) const noexcept {
+        return clipped_triangle_bounds(triangle(id), box);
+    }
+
+private:
+    std::span<const Vec3f> vertices_;
+    std::span<const TriangleIndices> triangles_;
+};
+
+/// An indexed triangle mesh that owns its arrays. All indices are below vertices.size(), and
+/// counts are below 2^32.
+struct TriangleMesh {
+    std::vector<Vec3f> vertices;
+    std::vector<TriangleIndices> triangles;
+
+    [[nodiscard]] TriangleMeshView view() const noexcept { return {vertices, triangles}; }
+};
+
+/// The box of the given points; empty for none.
+[[nodiscard]] Aabb bounds_of(std::span<const Vec3f> points) noexcept;
+
+}  // namespace coppice

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace coppice {
+
+/// A coordinate axis; the values index the components of a vector.
+enum class Axis : std::uint8_t { x = 0, y = 1, z = 2 };
+
+inline constexpr std::array<Axis, 3> all_axes{Axis::x, Axis::y, Axis::z};
+
+/// The axis after this one, cyclically: x, y, z, x ...
+[[nodiscard]] constexpr Axis next_axis(Axis axis) noexcept {
+    return static_cast<Axis>((static_cast<unsigned>(axis) + 1) % 3);
+}
+
+/// A point or direction of three components, addressable by axis.
+template <typename T>
+struct Vec3 {
+    T x{};
+    T y{};
+    T z{};
+
+    [[nodiscard]] constexpr T operator[](Axis axis) const noexcept {
+        return axis == Axis::x ? x : axis == Axis::y ? y : z;
+    }
+
+    [[nodiscard]] constexpr T& operator[](Axis axis) noexcept {
+        return axis == Axis::x ? x : axis == Axis::y ? y : z;
+    }
+
+    friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
+
+    friend constexpr Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+
+    friend constexpr Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+
+    friend constexpr Vec3 operator*(T s, Vec3 v) { return {s * v.x, s * v.y, s * v.z}; }
+};
+
+using Vec3f = Vec3<float>;
+using Vec3d = Vec3<double>;
+
+/// The same vector in double precision.
+[[nodiscard]] constexpr Vec3d to_double(Vec3f v) noexcept {
+    return {v.x, v.y, v.z};
+}
+
+template <typename T>
+[[nodiscard]] constexpr T dot(Vec3<T> a, Vec3<T> b) noexcept {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <typename T>
+[[nodiscard]] constexpr Vec3<T> cross(Vec3<T> a, Vec3<T> b) noexcept {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+}  // namespace coppice

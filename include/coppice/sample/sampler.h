@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "coppice/geom/primitive_set.h"
+
+namespace coppice {
+
+/// How to choose the primitives a tree is built from.
+struct SampleOptions {
+    double rate = 1.0;                ///< share of the primitives, in (0, 1]
+    std::string sampler = "uniform";  ///< a name of sampler_registry()
+    std::uint64_t seed = 1;           ///< same seed, same sample
+};
+
+/// The primitives chosen: distinct ids, ascending.
+struct Sample {
+    std::vector<std::uint32_t> ids;
+    SampleOptions options;  ///< what it was drawn with
+};
+
+/// Chooses `count` of the primitives. Runs once a build; stateless.
+class Sampler {
+public:
+    Sampler() = default;
+    Sampler(const Sampler&) = delete;
+    Sampler& operator=(const Sampler&) = delete;
+    virtual ~Sampler() = default;
+
+    /// `count` distinct ids in ascending order, 1 <= count <= primitives.size(); the same for the
+    /// same seed, whatever the number of threads.
+    [[nodiscard]] virtual std::vector<std::uint32_t> draw(PrimitiveSetView primitives,
+                                                          std::uint32_t count,
+                                                          std::uint64_t seed) const = 0;
+};
+
+/// A sampler under its name, with one line on what it does.
+struct SamplerEntry {
+    std::string_view name;
+    std::string_view summary;
+    const Sampler& sampler;
+};
+
+/// All samplers; the first is the default.
+[[nodiscard]] std::span<const SamplerEntry> sampler_registry();
+
+/// The sampler of that name. Throws Error(invalid_argument) naming those that exist.
+[[nodiscard]] const Sampler& find_sampler(std::string_view name);
+
+/// The number of primitives a rate stands for: round(rate * count), at least 1 of any.
+/// Throws Error(invalid_argument) unless 0 < rate <= 1.
+[[nodiscard]] std::uint32_t sample_count(std::uint32_t count, double rate);
+
+}  // namespace coppice

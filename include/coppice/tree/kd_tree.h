@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "coppice/geom/aabb.h"
+#include "coppice/tree/kd_node.h"
+
+namespace coppice {
+
+/// An immutable k-d tree: nodes, the references of its leaves, and its box. It knows no
+/// primitives; references are ids into the set it was built for.
+///
+/// Order: node 0 is the root; siblings are adjacent; after a pair of siblings come all nodes below
+/// the lower one, then all below the upper one, so that children follow their parents. References
+/// stand leaf by leaf in depth-first order, ascending within a leaf.
+class KdTree {
+public:
+    /// No leaf may be deeper, so that traversals do with a stack of fixed size.
+    static constexpr int max_depth = 60;
+
+    /// The tree of nothing: one empty leaf in an empty box.
+    KdTree() = default;
+
+    /// Takes over arrays in the order described above. Throws Error(invalid_argument) if `nodes`
+    /// is empty; validate() checks the rest.
+    KdTree(std::vector<KdNode> nodes, std::vector<std::uint32_t> references, const Aabb& bounds);
+
+    [[nodiscard]] std::span<const KdNode> nodes() const noexcept { return nodes_; }
+
+    [[nodiscard]] const KdNode& root() const noexcept { return nodes_.front(); }
+
+    [[nodiscard]] std::span<const std::uint32_t> references() const noexcept {
+        return references_;
+    }
+
+    /// The ids in one leaf of this tree.
+    [[nodiscard]] std::span<const std::uint32_t> references(const KdNode& leaf) const noexcept {
+        return references().subspan(leaf.first_reference(), leaf.reference_count());
+    }
+
+    [[nodiscard]] const Aabb& bounds() const noexcept { return bounds_; }
+
+    /// Bytes of nodes and references.
+    [[nodiscard]] std::uint64_t byte_count() const noexcept {
+        return nodes_.size() * sizeof(KdNode) + references_.size() * sizeof(std::uint32_t);
+    }
+
+    friend bool operator==(const KdTree&, const KdTree&) = default;
+
+private:
+    friend class Skeleton;
+
+    std::vector<KdNode> nodes_{KdNode{}};
+    std::vector<std::uint32_t> references_;
+    Aabb bounds_;
+};
+
+/// A k-d tree whose leaves have been emptied: the planes stay, the references are gone. Made by
+/// empty_leaves(), filled again by refill().
+class Skeleton {
+public:
+    /// Empties the leaves of a tree and frees its references.
+    explicit Skeleton(KdTree&& tree);
+
+    /// No leaf has references; each records whether it had any (KdNode::in_sample).
+    [[nodiscard]] std::span<const KdNode> nodes() const noexcept { return nodes_; }
+
+    [[nodiscard]] const Aabb& bounds() const noexcept { return bounds_; }
+
+    /// Gives up the nodes, for a refill in place; the skeleton is left without nodes.
+    [[nodiscard]] std::vector<KdNode> release_nodes() && noexcept { return std::move(nodes_); }
+
+private:
+    std::vector<KdNode> nodes_;
+    Aabb bounds_;
+};
+
+}  // namespace coppice

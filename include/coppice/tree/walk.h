@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "coppice/geom/aabb.h"
+#include "coppice/tree/kd_tree.h"
+
+namespace coppice {
+
+/// A node met on a walk: its index, its box and its depth (the root's is 0).
+struct VisitedNode {
+    std::uint32_t index = 0;
+    Aabb box;
+    int depth = 0;
+};
+
+/// Calls `visit(const VisitedNode&)` for a node and all below it, depth first, parents before
+/// children, lower children before upper ones. Recursion depth is the tree's depth.
+template <typename Visit>
+void walk_below(std::span<const KdNode> nodes, const VisitedNode& at, Visit&& visit) {
+    visit(at);
+    const KdNode& node = nodes[at.index];
+    if (node.is_leaf()) return;
+    const Plane plane = node.plane();
+    walk_below(nodes, {node.lower_child(), below(at.box, plane), at.depth + 1}, visit);
+    walk_below(nodes, {node.upper_child(), above(at.box, plane), at.depth + 1}, visit);
+}
+
+/// walk_below() from the root of a tree.
+template <typename Visit>
+void walk(const KdTree& tree, Visit&& visit) {
+    walk_below(tree.nodes(), {0, tree.bounds(), 0}, visit);
+}
+
+}  // namespace coppice

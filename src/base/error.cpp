@@ -1,0 +1,30 @@
+#include "coppice/base/error.h"
+
+#include <fmt/format.h>
+
+namespace coppice {
+
+std::string_view error_code_name(ErrorCode code) noexcept {
+    switch (code) {
+        case ErrorCode::invalid_argument: return "invalid_argument";
+        case ErrorCode::io: return "io";
+        case ErrorCode::parse: return "parse";
+        case ErrorCode::unsupported: return "unsupported";
+        case ErrorCode::limit: return "limit";
+    }
+    return "unknown";
+}
+
+Error::Error(ErrorCode code, const std::string& message)
+    : std::runtime_error(message), code_(code) {}
+
+Error file_error(ErrorCode code, std::string_view file, std::string_view message) {
+    return {code, fmt::format("{}: {}", file, message)};
+}
+
+Error file_error(ErrorCode code, std::string_view file, std::size_t line,
+                 std::string_view message) {
+    return {code, fmt::format("{}:{}: {}", file, line, message)};
+}
+
+}  // namespace coppice

@@ -1,0 +1,42 @@
+#include "coppice/base/parallel.h"
+
+#include <algorithm>
+
+#include <tbb/blocked_range.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+#include <tbb/parallel_sort.h>
+#include <tbb/task_arena.h>
+
+namespace coppice {
+
+int hardware_thread_count() noexcept {
+    return std::max(1, tbb::info::default_concurrency());
+}
+
+void run_with_threads(int thread_count, const std::function<void()>& work) {
+    // oneTBB has no more threads than the hardware, and prints a warning when asked for more.
+    const int available = hardware_thread_count();
+    tbb::task_arena arena(thread_count > 0 ? std::min(thread_count, available) : available);
+    arena.execute(work);
+}
+
+void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second) {
+    tbb::parallel_invoke(first, second);
+}
+
+void parallel_for_chunks(std::size_t count, std::size_t chunk_size,
+                         const std::function<void(std::size_t, std::size_t)>& body) {
+    const std::size_t chunk_count = (count + chunk_size - 1) / chunk_size;
+    tbb::parallel_for(std::size_t{0}, chunk_count, [&](std::size_t chunk) {
+        const std::size_t begin = chunk * chunk_size;
+        body(begin, std::min(begin + chunk_size, count));
+    });
+}
+
+void parallel_sort(std::span<float> values) {
+    tbb::parallel_sort(values.begin(), values.end());
+}
+
+}  // namespace coppice

@@ -1,0 +1,57 @@
+#include "coppice/build/build_options.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "coppice/base/error.h"
+#include "coppice/build/split_finder.h"
+#include "coppice/tree/kd_tree.h"
+
+namespace coppice {
+namespace {
+
+void require(bool holds, std::string_view name, std::int64_t value, std::string_view range) {
+    if (holds) return;
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("{} {} is outside {}", name, value, range));
+}
+
+}  // namespace
+
+void check(const BuildOptions& options) {
+    static_cast<void>(sample_count(1, options.sample.rate));
+    static_cast<void>(find_sampler(options.sample.sampler));
+    const SplitOptions& split = options.split;
+    static_cast<void>(find_split_finder(split.rule));
+    require(split.max_depth >= 0 && split.max_depth <= KdTree::max_depth, "max depth", split.max_depth, "[0, 60]");
+    require(split.max_leaf >= 1, "max leaf", split.max_leaf, "[1, 2^32)");
+    require(split.bad_refines >= 1, "bad refines", split.bad_refines, "[1, 2^31)");
+    require(options.threads >= 0, "threads", options.threads, "[0, 2^31)");
+    check(options.cost);
+}
+
+const char* name_of(Clipping clipping) noexcept {
+    return clipping == Clipping::perfect ? "perfect" : "bounding_box";
+}
+
+const char* name_of(Growth growth) noexcept {
+    return growth == Growth::none ? "none" : "kd";
+}
+
+void to_json(nlohmann::json& json, const BuildOptions& options) {
+    json = {{"sample",
+             {{"rate", options.sample.rate},
+              {"sampler", options.sample.sampler},
+              {"seed", options.sample.seed}}},
+            {"split",
+             {{"rule", options.split.rule},
+              {"max_depth", options.split.max_depth},
+              {"max_leaf", options.split.max_leaf},
+              {"bad_refines", options.split.bad_refines},
+              {"clipping", name_of(options.split.clipping)}}},
+            {"growth", name_of(options.growth)},
+            {"cost", options.cost},
+            {"threads", options.threads}};
+}
+
+}  // namespace coppice

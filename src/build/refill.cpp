@@ -1,0 +1,101 @@
+// All primitives go down the skeleton together, a node's fragments divided at its plane by the
+// builder's own partition(). So leaves receive exactly what the builder would have given them, in
+// order of ids, and each level costs one pass over the fragments: O(N depth).
+// Source: [Tsiompikas2022] sec. 4.3.3 (one primitive at a time, by position).
+
+#include "coppice/build/refill.h"
+
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "build/partition.h"
+#include "build/subtree.h"
+#include "coppice/base/error.h"
+#include "coppice/base/parallel.h"
+#include "coppice/tree/walk.h"
+
+namespace coppice {
+namespace {
+
+class Refill {
+public:
+    Refill(std::vector<KdNode>& nodes, PrimitiveSetView primitives, Clipping clipping)
+        : nodes_(nodes), primitives_(primitives), clipping_(clipping) {}
+
+    // Fills all leaves below a node. Appends their references to `references` in depth-first
+    // order; leaves get their counts, and their first reference in place_references().
+    void fill(std::uint32_t index, std::vector<Fragment> fragments,
+              std::vector<std::uint32_t>& references) {
+        const KdNode node = nodes_[index];
+        if (node.is_leaf()) {
+            fill_leaf(index, fragments, references);
+            return;
+        }
+        Partition sides = partition(fragments, node.plane(), node.planar_side(), primitives_,
+                                    clipping_);
+        const bool in_parallel = fragments.size() >= parallel_fragment_count;
+        fragments = {};
+        if (!in_parallel) {
+            fill(node.lower_child(), std::move(sides.below), references);
+            fill(node.upper_child(), std::move(sides.above), references);
+            return;
+        }
+        std::vector<std::uint32_t> upper_references;
+        parallel_invoke(
+            [&] { fill(node.lower_child(), std::move(sides.below), references); },
+            [&] { fill(node.upper_child(), std::move(sides.above), upper_references); });
+        references.insert(references.end(), upper_references.begin(), upper_references.end());
+    }
+
+private:
+    void fill_leaf(std::uint32_t index, std::span<const Fragment> fragments,
+                   std::vector<std::uint32_t>& references) {
+        if (fragments.size() > KdNode::max_payload) {
+            throw Error(ErrorCode::limit,
+                        fmt::format("a leaf would have {} references; at most {} are possible",
+                                    fragments.size(), KdNode::max_payload));
+        }
+        for (const Fragment& fragment : fragments) references.push_back(fragment.id);
+        nodes_[index] = KdNode::make_leaf(0, static_cast<std::uint32_t>(fragments.size()),
+                                          nodes_[index].in_sample());
+    }
+
+    std::vector<KdNode>& nodes_;
+    PrimitiveSetView primitives_;
+    Clipping clipping_;
+};
+
+// Gives every leaf its range, now that all counts are known.
+void place_references(std::vector<KdNode>& nodes, std::uint64_t reference_count) {
+    if (reference_count > std::numeric_limits<std::uint32_t>::max()) {
+        throw Error(ErrorCode::limit,
+                    fmt::format("the tree would have {} references; at most 2^32 - 1 are possible",
+                                reference_count));
+    }
+    std::uint32_t first = 0;
+    walk_below(nodes, {}, [&](const VisitedNode& at) {
+        KdNode& node = nodes[at.index];
+        if (!node.is_leaf()) return;
+        // An empty leaf that was empty in the sample is simply empty.
+        const bool is_empty = node.reference_count() == 0;
+        node = KdNode::make_leaf(first, node.reference_count(),
+                                 is_empty ? SampleContent::some : node.in_sample());
+        first += node.reference_count();
+    });
+}
+
+}  // namespace
+
+KdTree refill(Skeleton&& skeleton, PrimitiveSetView primitives, const BuildOptions& options) {
+    const Aabb box = skeleton.bounds();
+    std::vector<KdNode> nodes = std::move(skeleton).release_nodes();
+    std::vector<std::uint32_t> references;
+    Refill(nodes, primitives, options.split.clipping)
+        .fill(0, whole_fragments(primitives), references);
+    place_references(nodes, references.size());
+    return {std::move(nodes), std::move(references), box};
+}
+
+}  // namespace coppice

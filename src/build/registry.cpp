@@ -1,0 +1,40 @@
+#include <array>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "build/split/median_split.h"
+#include "build/split/midpoint_split.h"
+#include "build/split/sah_sweep.h"
+#include "coppice/base/error.h"
+#include "coppice/build/split_finder.h"
+
+namespace coppice {
+
+std::span<const SplitFinderEntry> split_finder_registry() {
+    static const SahSweep sah;
+    static const MedianSplit median;
+    static const MidpointSplit midpoint;
+    static const std::array entries{
+        SplitFinderEntry{"sah", "cheapest plane by the surface area heuristic, longest axis first",
+                         sah},
+        SplitFinderEntry{"median", "plane through the median of the centers on the longest axis",
+                         median},
+        SplitFinderEntry{"midpoint", "plane through the middle of the node's longest axis",
+                         midpoint},
+    };
+    return entries;
+}
+
+const SplitFinder& find_split_finder(std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const SplitFinderEntry& entry : split_finder_registry()) {
+        if (entry.name == name) return entry.finder;
+        names.push_back(entry.name);
+    }
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("no split rule '{}'; there are: {}", name, fmt::join(names, ", ")));
+}
+
+}  // namespace coppice

@@ -1,0 +1,38 @@
+// Median cut: as many fragments below the plane as above it, the classic k-d tree.
+// Cost: O(n) a node. Source: [Tsiompikas2022] sec. 2.2, [Bentley1975].
+
+#include "build/split/median_split.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "build/split/evaluate_plane.h"
+
+namespace coppice {
+namespace {
+
+float median_center(std::span<const Fragment> fragments, Axis axis) {
+    std::vector<float> centers;
+    centers.reserve(fragments.size());
+    for (const Fragment& fragment : fragments) {
+        centers.push_back(0.5F * fragment.box.lower[axis] + 0.5F * fragment.box.upper[axis]);
+    }
+    const auto middle = centers.begin() + static_cast<std::ptrdiff_t>(centers.size() / 2);
+    std::nth_element(centers.begin(), middle, centers.end());
+    return *middle;
+}
+
+}  // namespace
+
+std::optional<Split> MedianSplit::find(const SplitQuery& query) const {
+    Axis axis = query.box.longest_axis();
+    for (std::size_t tried = 0; tried < all_axes.size(); ++tried, axis = next_axis(axis)) {
+        const float position = median_center(query.fragments, axis);
+        if (PlaneEvaluator(query.box, axis, query.cost).is_inside(position)) {
+            return evaluate_plane(query, {axis, position});
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace coppice

@@ -1,0 +1,61 @@
+#include "build/subtree.h"
+
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "coppice/base/error.h"
+
+namespace coppice {
+namespace {
+
+void require_at_most(std::uint64_t count, std::uint64_t limit, const char* what) {
+    if (count <= limit) return;
+    throw Error(ErrorCode::limit,
+                fmt::format("the tree would have {} {}; at most {} are possible", count, what,
+                            limit));
+}
+
+constexpr std::uint64_t max_reference_count = std::numeric_limits<std::uint32_t>::max();
+
+KdNode relocated(const KdNode& node, std::uint32_t node_offset, std::uint32_t reference_offset) {
+    if (node.is_leaf()) {
+        return KdNode::make_leaf(node.first_reference() + reference_offset,
+                                 node.reference_count(), node.in_sample());
+    }
+    return KdNode::make_inner(node.plane(), node.planar_side(), node.lower_child() + node_offset);
+}
+
+}  // namespace
+
+void make_leaf(Subtree& tree, std::uint32_t slot, std::span<const Fragment> fragments) {
+    const auto first = static_cast<std::uint32_t>(tree.references.size());
+    require_at_most(fragments.size(), KdNode::max_payload, "references in a leaf");
+    require_at_most(first + fragments.size(), max_reference_count, "references");
+    for (const Fragment& fragment : fragments) tree.references.push_back(fragment.id);
+    tree.nodes[slot] = KdNode::make_leaf(first, static_cast<std::uint32_t>(fragments.size()));
+}
+
+std::uint32_t make_inner(Subtree& tree, std::uint32_t slot, Plane plane, PlanarSide planar_side) {
+    require_at_most(tree.nodes.size() + 2, KdNode::max_payload, "nodes");
+    const auto lower_child = static_cast<std::uint32_t>(tree.nodes.size());
+    tree.nodes.resize(tree.nodes.size() + 2);
+    tree.nodes[slot] = KdNode::make_inner(plane, planar_side, lower_child);
+    return lower_child;
+}
+
+void splice(Subtree& tree, std::uint32_t slot, const Subtree& part) {
+    require_at_most(tree.nodes.size() + part.nodes.size(), KdNode::max_payload, "nodes");
+    require_at_most(tree.references.size() + part.references.size(), max_reference_count,
+                    "references");
+    // Node i >= 1 of the part lands at tree.nodes.size() + i - 1.
+    const auto node_offset = static_cast<std::uint32_t>(tree.nodes.size()) - 1;
+    const auto reference_offset = static_cast<std::uint32_t>(tree.references.size());
+    tree.nodes[slot] = relocated(part.nodes[0], node_offset, reference_offset);
+    for (std::size_t i = 1; i < part.nodes.size(); ++i) {
+        tree.nodes.push_back(relocated(part.nodes[i], node_offset, reference_offset));
+    }
+    tree.references.insert(tree.references.end(), part.references.begin(), part.references.end());
+}
+
+}  // namespace coppice

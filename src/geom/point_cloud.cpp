@@ -1,0 +1,37 @@
+#include "coppice/geom/point_cloud.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "coppice/base/rng.h"
+
+namespace coppice {
+namespace {
+
+void remove_duplicates(std::vector<Vec3f>& points) {
+    std::sort(points.begin(), points.end(), [](const Vec3f& a, const Vec3f& b) {
+        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+    });
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+}
+
+// Fisher-Yates with counter-based randomness.
+void shuffle(std::vector<Vec3f>& points, std::uint64_t seed) {
+    for (std::size_t i = points.size(); i > 1; --i) {
+        const auto other = static_cast<std::size_t>(random_unit(seed, i) * static_cast<double>(i));
+        std::swap(points[i - 1], points[other]);
+    }
+}
+
+}  // namespace
+
+std::vector<Vec3f> shuffled_distinct_points(std::span<const Vec3f> points, std::uint64_t seed) {
+    std::vector<Vec3f> distinct(points.begin(), points.end());
+    // Which zero of +0 and -0 survives must not depend on the sort.
+    for (Vec3f& point : distinct) point = point + Vec3f{};
+    remove_duplicates(distinct);
+    shuffle(distinct, seed);
+    return distinct;
+}
+
+}  // namespace coppice

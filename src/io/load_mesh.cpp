@@ -1,0 +1,67 @@
+#include "coppice/io/load_mesh.h"
+
+#include "coppice/base/error.h"
+#include "coppice/base/timer.h"
+
+#include "io/count_oddities.h"
+#include "io/input_file.h"
+#include "io/load_obj.h"
+#include "io/load_off.h"
+#include "io/load_ply.h"
+#include "io/load_scene_file.h"
+#include "io/text.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+namespace coppice {
+
+namespace {
+
+/// The end of the name that tells the format, in lower case: ".stl", ".ply.gz".
+std::string format_extension(const std::filesystem::path& file) {
+    std::string extension = to_lower(file.extension().string());
+    if (extension == ".gz") {
+        extension.insert(0, to_lower(file.stem().extension().string()));
+    }
+    return extension;
+}
+
+LoadedMesh load_by_extension(const std::filesystem::path& file) {
+    const std::string extension = format_extension(file);
+    if (extension == ".obj" || extension == ".obj.gz") {
+        return load_obj(file);
+    }
+    if (extension == ".ply" || extension == ".ply.gz") {
+        return load_ply(file);
+    }
+    if (extension == ".off") {
+        return load_off(file);
+    }
+    if (is_scene_file_extension(extension)) {
+        return load_scene_file(file);
+    }
+    throw file_error(ErrorCode::unsupported, file.string(),
+                     fmt::format("unknown mesh file extension {}", in_quotes(extension)));
+}
+
+}  // namespace
+
+TriangleMesh load_mesh(const std::filesystem::path& file, LoadReport* report) {
+    const Timer timer;
+    const std::uint64_t file_bytes = regular_file_bytes(file);
+    LoadedMesh loaded = load_by_extension(file);
+    if (report != nullptr) {
+        *report = std::move(loaded.report);
+        report->file_bytes = file_bytes;
+        report->vertex_count = loaded.mesh.vertices.size();
+        report->triangle_count = loaded.mesh.triangles.size();
+        count_oddities(loaded.mesh.view(), *report);
+        report->load_seconds = timer.seconds();
+    }
+    return std::move(loaded.mesh);
+}
+
+}  // namespace coppice

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "io/loaded_mesh.h"
+
+#include <filesystem>
+
+namespace coppice {
+
+/// Reads the vertices and faces of an OBJ file, plain or gzipped, through tinyobjloader. A face
+/// may come before its vertices.
+[[nodiscard]] LoadedMesh load_obj(const std::filesystem::path& file);
+
+}  // namespace coppice

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "io/loaded_mesh.h"
+
+#include <filesystem>
+
+namespace coppice {
+
+/// Reads an OFF file as text: OFF and its kinds with normals, colours or texture coordinates
+/// (NOFF, COFF, STOFF ...), which are passed over. A vertex or face is a line.
+[[nodiscard]] LoadedMesh load_off(const std::filesystem::path& file);
+
+}  // namespace coppice

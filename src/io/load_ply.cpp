@@ -1,0 +1,232 @@
+// Reading PLY. Ours rather than Assimp's for speed and for errors that name their place:
+// docs/decisions/0001-own-ply-reader.md. One pass; memory grows with what the file holds, never
+// with what its header promises.
+
+#include "io/load_ply.h"
+
+#include "coppice/base/error.h"
+
+#include "io/input_file.h"
+#include "io/ply_body.h"
+#include "io/ply_header.h"
+#include "io/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace coppice {
+
+namespace {
+
+/// How many rows to make room for: those promised, but no more than the file has bytes for.
+std::size_t rows_to_reserve(const PlyElement& element, PlyFormat format, const InputFile& file) {
+    const std::uint64_t row_bytes = std::max<std::uint64_t>(element.min_row_bytes(format), 1);
+    return static_cast<std::size_t>(std::min(element.count, file.stored_bytes() / row_bytes));
+}
+
+const PlyProperty& find_coordinate(const PlyElement& vertex, std::string_view name,
+                                   const InputFile& file) {
+    for (const PlyProperty& property : vertex.properties) {
+        if (property.name == name && !property.is_list()) {
+            return property;
+        }
+    }
+    TextPlace{file.name(), vertex.line}.fail(
+        fmt::format("PLY element 'vertex' has no property {}", in_quotes(name)));
+}
+
+const PlyProperty& find_corners(const PlyElement& element, const InputFile& file) {
+    for (const PlyProperty& property : element.properties) {
+        if ((property.name == "vertex_indices" || property.name == "vertex_index") &&
+            property.is_list() && is_integer(property.type)) {
+            return property;
+        }
+    }
+    TextPlace{file.name(), element.line}.fail(fmt::format(
+        "PLY element {} has no list 'vertex_indices' of integers", in_quotes(element.name)));
+}
+
+/// Reads the elements of one file, whose numbers come from a body of either kind.
+template <typename Body>
+class PlyReader {
+public:
+    PlyReader(InputFile& file, const PlyHeader& header, Body body, LoadedMesh& loaded)
+        : file_(file), header_(header), body_(body), loaded_(loaded) {
+        const PlyElement* vertex = header.find_element("vertex");
+        vertex_count_ = vertex == nullptr ? 0 : static_cast<std::int64_t>(vertex->count);
+    }
+
+    void read() {
+        for (const PlyElement& element : header_.elements) {
+            if (element.name == "vertex") {
+                read_vertices(element);
+            } else if (element.name == "face") {
+                read_faces(element);
+            } else if (element.name == "tristrips") {
+                read_strips(element);
+            } else {
+                skip_element(element);
+            }
+        }
+        loaded_.report.trailing_byte_count = body_.count_trailing_bytes();
+    }
+
+private:
+    void read_vertices(const PlyElement& element) {
+        const std::array<const PlyProperty*, 3> axes = {&find_coordinate(element, "x", file_),
+                                                        &find_coordinate(element, "y", file_),
+                                                        &find_coordinate(element, "z", file_)};
+        loaded_.mesh.vertices.reserve(rows_to_reserve(element, header_.format, file_));
+        std::array<float, 3> position{};
+        for (std::uint64_t row = 0; row < element.count; ++row) {
+            body_.begin_row(element, row);
+            for (const PlyProperty& property : element.properties) {
+                const auto axis = std::find(axes.begin(), axes.end(), &property) - axes.begin();
+                if (axis < 3) {
+                    position[static_cast<std::size_t>(axis)] = body_.next_coordinate(property.type);
+                } else {
+                    skip_property(property);
+                }
+            }
+            body_.end_row();
+            add_vertex(loaded_, {position[0], position[1], position[2]});
+        }
+    }
+
+    void read_faces(const PlyElement& element) {
+        if (element.count == 0) {
+            return;
+        }
+        loaded_.mesh.triangles.reserve(rows_to_reserve(element, header_.format, file_));
+        const PlyProperty& list = find_corners(element, file_);
+        std::vector<std::uint32_t> corners;
+        for (std::uint64_t row = 0; row < element.count; ++row) {
+            corners.clear();
+            read_row(element, row, list,
+                     [&](std::int64_t index) { corners.push_back(vertex_id(index)); });
+            add_face(loaded_, corners);
+        }
+    }
+
+    /// A strip of n corners is n - 2 triangles, every other one turned; a negative index ends a
+    /// strip and begins the next.
+    void read_strips(const PlyElement& element) {
+        if (element.count == 0) {
+            return;
+        }
+        const PlyProperty& list = find_corners(element, file_);
+        std::vector<std::uint32_t> strip;
+        for (std::uint64_t row = 0; row < element.count; ++row) {
+            strip.clear();
+            read_row(element, row, list, [&](std::int64_t index) {
+                if (index < 0) {
+                    add_strip(strip);
+                    strip.clear();
+                } else {
+                    strip.push_back(vertex_id(index));
+                }
+            });
+            add_strip(strip);
+        }
+    }
+
+    void add_strip(std::span<const std::uint32_t> strip) {
+        if (!strip.empty() && strip.size() < 3) {
+            add_face(loaded_, strip);
+        }
+        for (std::size_t i = 2; i < strip.size(); ++i) {
+            std::array<std::uint32_t, 3> corners = {strip[i - 2], strip[i - 1], strip[i]};
+            if (i % 2 == 1) {
+                std::swap(corners[0], corners[1]);
+            }
+            add_face(loaded_, corners);
+        }
+    }
+
+    /// Passes a row, with each number of its property `list` given to `take`.
+    template <typename Take>
+    void read_row(const PlyElement& element, std::uint64_t row, const PlyProperty& list,
+                  const Take& take) {
+        body_.begin_row(element, row);
+        for (const PlyProperty& property : element.properties) {
+            if (&property != &list) {
+                skip_property(property);
+                continue;
+            }
+            const std::uint64_t count = next_list_count(property);
+            for (std::uint64_t i = 0; i < count; ++i) {
+                take(body_.next_integer(property.type));
+            }
+        }
+        body_.end_row();
+    }
+
+    void skip_element(const PlyElement& element) {
+        loaded_.report.ignored_element_count += element.count;
+        if (element.properties.empty()) {
+            return;  // no bytes, whatever the count
+        }
+        for (std::uint64_t row = 0; row < element.count; ++row) {
+            body_.begin_row(element, row);
+            for (const PlyProperty& property : element.properties) {
+                skip_property(property);
+            }
+            body_.end_row();
+        }
+    }
+
+    void skip_property(const PlyProperty& property) {
+        body_.skip(property.type, property.is_list() ? next_list_count(property) : 1);
+    }
+
+    std::uint64_t next_list_count(const PlyProperty& list) {
+        const std::int64_t count = body_.next_integer(*list.count_type);
+        if (count < 0) {
+            body_.fail(fmt::format("negative count {} of list {}", count, in_quotes(list.name)));
+        }
+        return static_cast<std::uint64_t>(count);
+    }
+
+    std::uint32_t vertex_id(std::int64_t index) {
+        if (index < 0 || index >= vertex_count_) {
+            body_.fail(
+                fmt::format("vertex index {} out of range ({} vertices)", index, vertex_count_));
+        }
+        return static_cast<std::uint32_t>(index);
+    }
+
+    InputFile& file_;
+    const PlyHeader& header_;
+    Body body_;
+    LoadedMesh& loaded_;
+    std::int64_t vertex_count_;
+};
+
+}  // namespace
+
+LoadedMesh load_ply(const std::filesystem::path& file) {
+    InputFile input(file);
+    LoadedMesh loaded;
+    loaded.report.file = input.name();
+    loaded.report.format = "ply";
+    const PlyHeader header = read_ply_header(input);
+    if (header.format == PlyFormat::ascii) {
+        PlyReader(input, header, AsciiPlyBody(input), loaded).read();
+    } else {
+        PlyReader(input, header, BinaryPlyBody(input, header.format), loaded).read();
+    }
+    if (loaded.mesh.vertices.empty()) {
+        throw file_error(ErrorCode::parse, input.name(), "no vertices");
+    }
+    if (loaded.report.face_count > 0) {
+        check_has_triangles(loaded);
+    }
+    return loaded;
+}
+
+}  // namespace coppice

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "io/loaded_mesh.h"
+
+#include <filesystem>
+#include <string>
+
+namespace coppice {
+
+/// True if Assimp reads files whose name ends in `extension`, given with its dot.
+[[nodiscard]] bool is_scene_file_extension(const std::string& extension);
+
+/// Reads all meshes of a file through Assimp, by each node that shows them, in world space.
+[[nodiscard]] LoadedMesh load_scene_file(const std::filesystem::path& file);
+
+}  // namespace coppice

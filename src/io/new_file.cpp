@@ -1,0 +1,84 @@
+#include "io/new_file.h"
+
+#include "coppice/base/error.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+namespace coppice {
+
+namespace {
+
+/// A name that no other NewFile of this machine uses now. Short, so that it fits wherever the
+/// final name does.
+std::string temporary_name() {
+    static std::atomic<unsigned> next_number{0};
+    return fmt::format(".coppice-{}-{}.tmp", getpid(), next_number++);
+}
+
+}  // namespace
+
+NewFile::NewFile(const std::filesystem::path& file) : file_(file), target_(file) {
+    std::error_code problem;
+    if (std::filesystem::is_symlink(file, problem)) {
+        target_ = std::filesystem::weakly_canonical(file, problem);
+    }
+    const std::filesystem::file_status status = std::filesystem::status(target_, problem);
+    if (std::filesystem::is_directory(status)) {
+        throw file_error(ErrorCode::io, file.string(), "is a directory");
+    }
+    // A device or pipe would be replaced by the rename.
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+        throw file_error(ErrorCode::io, file.string(), "not a regular file");
+    }
+    do {
+        temporary_ = target_.parent_path() / temporary_name();
+        stream_ = std::fopen(temporary_.c_str(), "wbx");
+    } while (stream_ == nullptr && errno == EEXIST);
+    if (stream_ == nullptr) {
+        fail(errno);
+    }
+}
+
+NewFile::~NewFile() {
+    if (stream_ != nullptr) {
+        static_cast<void>(std::fclose(stream_));
+    }
+    if (!temporary_.empty()) {
+        std::error_code ignored;
+        std::filesystem::remove(temporary_, ignored);
+    }
+}
+
+void NewFile::write(std::string_view bytes) {
+    if (std::fwrite(bytes.data(), 1, bytes.size(), stream_) < bytes.size()) {
+        fail(errno);
+    }
+}
+
+void NewFile::commit() {
+    // Closing writes what is still in the buffer: a full disk may show only here.
+    std::FILE* const stream = stream_;
+    stream_ = nullptr;
+    if (std::fclose(stream) != 0) {
+        fail(errno);
+    }
+    std::error_code problem;
+    std::filesystem::rename(temporary_, target_, problem);
+    if (problem) {
+        fail(problem.value());
+    }
+    temporary_.clear();
+}
+
+void NewFile::fail(int error_number) const {
+    throw file_error(ErrorCode::io, file_.string(),
+                     fmt::format("cannot write: {}", std::strerror(error_number)));
+}
+
+}  // namespace coppice

@@ -1,0 +1,84 @@
+#include "io/text.h"
+
+#include "coppice/base/error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <system_error>
+
+namespace coppice {
+
+void TextPlace::fail(std::string_view message) const {
+    throw file_error(ErrorCode::parse, file, line, message);
+}
+
+bool is_blank(std::string_view text) noexcept {
+    return text.find_first_not_of(" \t\r\n\v\f") == std::string_view::npos;
+}
+
+std::string to_lower(std::string_view text) {
+    std::string lower(text);
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return lower;
+}
+
+std::string printable(std::string_view text) {
+    constexpr std::size_t longest = 40;
+    std::string shown(text.substr(0, longest));
+    std::replace_if(
+        shown.begin(), shown.end(), [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+    return shown + (text.size() > longest ? "..." : "");
+}
+
+std::string in_quotes(std::string_view text) {
+    return "'" + printable(text) + "'";
+}
+
+std::optional<std::int64_t> parse_integer(std::string_view word) noexcept {
+    std::int64_t value = 0;
+    const char* const end = word.data() + word.size();
+    const auto [stop, problem] = std::from_chars(word.data(), end, value);
+    if (problem != std::errc() || stop != end) {
+        return std::nullopt;
+    }
+    return value;
+}
+
+std::optional<float> parse_float(std::string_view word) noexcept {
+    if (word.starts_with('+') && !word.starts_with("+-")) {
+        word.remove_prefix(1);  // from_chars takes no plus sign
+    }
+    float value = 0.0F;
+    const char* const end = word.data() + word.size();
+    const auto [stop, problem] = std::from_chars(word.data(), end, value);
+    if (stop != end || problem == std::errc::invalid_argument) {
+        return std::nullopt;
+    }
+    if (problem == std::errc::result_out_of_range) {
+        // Too large or too small for a float? A long double reaches far beyond it on both sides.
+        long double wide = std::numeric_limits<long double>::infinity();
+        std::from_chars(word.data(), end, wide);
+        value =
+            std::fabs(wide) < 1 ? static_cast<float>(wide) : std::numeric_limits<float>::infinity();
+    }
+    return value;
+}
+
+float parse_coordinate(std::string_view word, const TextPlace& place) {
+    const std::optional<float> value = parse_float(word);
+    if (!value) {
+        place.fail(fmt::format("malformed coordinate {}", in_quotes(word)));
+    }
+    if (!std::isfinite(*value)) {
+        place.fail(fmt::format("coordinate {} is not a finite float", in_quotes(word)));
+    }
+    return *value;
+}
+
+}  // namespace coppice

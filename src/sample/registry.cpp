@@ -1,0 +1,42 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "coppice/base/error.h"
+#include "coppice/sample/sampler.h"
+#include "sample/uniform.h"
+
+namespace coppice {
+
+std::span<const SamplerEntry> sampler_registry() {
+    static const UniformSampler uniform;
+    static const std::array entries{
+        SamplerEntry{"uniform", "every primitive with the same probability, without replacement",
+                     uniform},
+    };
+    return entries;
+}
+
+const Sampler& find_sampler(std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const SamplerEntry& entry : sampler_registry()) {
+        if (entry.name == name) return entry.sampler;
+        names.push_back(entry.name);
+    }
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("no sampler '{}'; there are: {}", name, fmt::join(names, ", ")));
+}
+
+std::uint32_t sample_count(std::uint32_t count, double rate) {
+    if (!(rate > 0.0 && rate <= 1.0)) {
+        throw Error(ErrorCode::invalid_argument,
+                    fmt::format("sample rate {} is outside (0, 1]", rate));
+    }
+    const auto rounded = static_cast<std::uint32_t>(std::llround(rate * count));
+    return std::clamp<std::uint32_t>(rounded, std::min(count, 1U), count);
+}
+
+}  // namespace coppice

@@ -1,0 +1,234 @@
+// Checks a tree in three steps: its shape (each node reached once), its references (each in one
+// leaf, sorted, of existing primitives), then its contents against the primitives themselves, which
+// go down with the walk, filtered by their boxes only: not by the code that built the tree.
+//
+// Contents are judged with a tolerance around split planes: a leaf must refer to what reaches
+// further into it than that, and may refer to anything whose box comes within it.
+
+#include "coppice/tree/validate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "coppice/tree/walk.h"
+
+namespace coppice {
+namespace {
+
+// A leaf, or any node, as the walk meets it, with the box a primitive has to enter to belong to it
+// for certain: its box less the tolerance at every face that is a split plane.
+struct Place {
+    std::uint32_t index;
+    Aabb box;
+    Aabb inside;
+};
+
+float tolerance_at(const Aabb& box, Plane plane) {
+    const double scale = std::max(box.extent(plane.axis),
+                                  std::abs(static_cast<double>(plane.position)));
+    return static_cast<float>(1e-6 * scale);
+}
+
+class Validator {
+public:
+    Validator(const KdTree& tree, PrimitiveSetView primitives, std::size_t limit)
+        : tree_(tree),
+          primitives_(primitives),
+          limit_(limit),
+          is_referenced_(primitives.size(), false) {}
+
+    std::vector<Finding> run() {
+        if (!has_sound_shape()) return std::move(findings_);
+        if (check_references()) check_contents();
+        return std::move(findings_);
+    }
+
+private:
+    template <typename... Args>
+    void report(FindingKind kind, std::uint64_t subject, fmt::format_string<Args...> format,
+                Args&&... args) {
+        if (findings_.size() >= limit_) return;
+        findings_.push_back({kind, subject, fmt::format(format, std::forward<Args>(args)...)});
+    }
+
+    // Children in range, after their parents, each of one parent, none too deep; so that walks end.
+    bool has_sound_shape() {
+        const auto nodes = tree_.nodes();
+        std::vector<bool> is_child(nodes.size(), false);
+        std::vector<int> depths(nodes.size(), 0);  // of children, set before they are met
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            if (depths[i] > KdTree::max_depth) {
+                report(FindingKind::too_deep, i, "node {} is {} levels deep, more than {}", i,
+                       depths[i], KdTree::max_depth);
+                return false;  // one tells it all
+            }
+            if (nodes[i].is_leaf()) continue;
+            const std::size_t child = nodes[i].lower_child();
+            if (child <= i || child + 1 >= nodes.size()) {
+                report(FindingKind::bad_child, i, "node {} has children {} and {} of {} nodes", i,
+                       child, child + 1, nodes.size());
+            } else if (is_child[child] || is_child[child + 1]) {
+                report(FindingKind::bad_child, i, "node {} shares a child with another node", i);
+            } else {
+                is_child[child] = is_child[child + 1] = true;
+                depths[child] = depths[child + 1] = depths[i] + 1;
+            }
+        }
+        for (std::size_t i = 1; i < nodes.size(); ++i) {
+            if (!is_child[i]) {
+                report(FindingKind::unreachable_node, i, "node {} is nobody's child", i);
+            }
+        }
+        return findings_.empty();
+    }
+
+    // Every leaf has its own range of existing, ascending ids, and the ranges cover the array.
+    bool check_references() {
+        const std::size_t count = tree_.references().size();
+        std::vector<bool> is_owned(count, false);
+        for (std::size_t i = 0; i < tree_.nodes().size(); ++i) {
+            const KdNode& node = tree_.nodes()[i];
+            if (!node.is_leaf() || node.reference_count() == 0) continue;
+            const std::size_t first = node.first_reference();
+            const std::size_t end = first + node.reference_count();
+            const auto owned = is_owned.begin();
+            if (end > count || std::find(owned + static_cast<std::ptrdiff_t>(first),
+                                         owned + static_cast<std::ptrdiff_t>(end),
+                                         true) != owned + static_cast<std::ptrdiff_t>(end)) {
+                report(FindingKind::bad_range, i, "leaf {} has references {} to {} of {}", i,
+                       first, end, count);
+                continue;
+            }
+            std::fill(owned + static_cast<std::ptrdiff_t>(first),
+                      owned + static_cast<std::ptrdiff_t>(end), true);
+            check_ids(i, node);
+        }
+        const auto unowned = std::find(is_owned.begin(), is_owned.end(), false);
+        if (unowned != is_owned.end()) {
+            const auto at = static_cast<std::uint64_t>(unowned - is_owned.begin());
+            report(FindingKind::unreachable_reference, at, "reference {} is in no leaf", at);
+        }
+        return findings_.empty();
+    }
+
+    void check_ids(std::size_t index, const KdNode& leaf) {
+        const auto ids = tree_.references(leaf);
+        for (std::size_t k = 0; k < ids.size(); ++k) {
+            if (ids[k] >= primitives_.size()) {
+                report(FindingKind::bad_reference, index, "leaf {} refers to {} of {} primitives",
+                       index, ids[k], primitives_.size());
+            } else {
+                is_referenced_[ids[k]] = true;
+            }
+            if (k > 0 && ids[k - 1] >= ids[k]) {
+                report(FindingKind::unsorted_references, index, "leaf {} has {} before {}", index,
+                       ids[k - 1], ids[k]);
+            }
+        }
+    }
+
+    void check_contents() {
+        std::vector<std::uint32_t> all(primitives_.size());
+        for (std::uint32_t id = 0; id < primitives_.size(); ++id) {
+            all[id] = id;
+            if (!is_referenced_[id]) {
+                report(FindingKind::lost_primitive, id, "primitive {} is in no leaf", id);
+            }
+            const Aabb box = primitives_.bounds(id);
+            if (intersection(box, tree_.bounds()) != box) {
+                report(FindingKind::bounds_too_small, id, "primitive {} leaves the tree's box",
+                       id);
+            }
+        }
+        descend({0, tree_.bounds(), tree_.bounds()}, std::move(all));
+    }
+
+    // `candidates`: the primitives whose boxes reach inside the node.
+    void descend(const Place& at, std::vector<std::uint32_t> candidates) {
+        if (findings_.size() >= limit_) return;
+        const KdNode& node = tree_.nodes()[at.index];
+        if (node.is_leaf()) {
+            check_leaf(at, candidates);
+            return;
+        }
+        const Plane plane = node.plane();
+        if (!(plane.position > at.box.lower[plane.axis] &&
+              plane.position < at.box.upper[plane.axis])) {
+            report(FindingKind::plane_outside, at.index, "node {} is split at {}, outside [{}, {}]",
+                   at.index, plane.position, at.box.lower[plane.axis],
+                   at.box.upper[plane.axis]);
+            return;
+        }
+        const float tolerance = tolerance_at(at.box, plane);
+        const Plane lower_plane{plane.axis, plane.position - tolerance};
+        const Plane upper_plane{plane.axis, plane.position + tolerance};
+        const Place lower{node.lower_child(), below(at.box, plane), below(at.inside, lower_plane)};
+        const Place upper{node.upper_child(), above(at.box, plane), above(at.inside, upper_plane)};
+        auto lower_candidates = reaching(candidates, lower.inside);
+        auto upper_candidates = reaching(candidates, upper.inside);
+        candidates = {};
+        descend(lower, std::move(lower_candidates));
+        descend(upper, std::move(upper_candidates));
+    }
+
+    [[nodiscard]] std::vector<std::uint32_t> reaching(const std::vector<std::uint32_t>& ids,
+                                                      const Aabb& box) const {
+        std::vector<std::uint32_t> inside;
+        std::copy_if(ids.begin(), ids.end(), std::back_inserter(inside),
+                     [&](std::uint32_t id) { return primitives_.bounds(id).overlaps(box); });
+        return inside;
+    }
+
+    void check_leaf(const Place& at, const std::vector<std::uint32_t>& candidates) {
+        const auto ids = tree_.references(tree_.nodes()[at.index]);
+        for (const std::uint32_t id : candidates) {
+            if (std::binary_search(ids.begin(), ids.end(), id)) continue;
+            if (at.inside.is_empty() || primitives_.clipped_bounds(id, at.inside).is_empty()) {
+                continue;
+            }
+            report(FindingKind::missing_reference, at.index, "leaf {} lacks primitive {}", at.index,
+                   id);
+        }
+        for (const std::uint32_t id : ids) {
+            if (!primitives_.bounds(id).overlaps(at.box)) {
+                report(FindingKind::stray_reference, at.index,
+                       "leaf {} refers to primitive {}, which is not in its box", at.index, id);
+            }
+        }
+    }
+
+    const KdTree& tree_;
+    PrimitiveSetView primitives_;
+    std::size_t limit_;
+    std::vector<bool> is_referenced_;
+    std::vector<Finding> findings_;
+};
+
+}  // namespace
+
+const char* finding_name(FindingKind kind) noexcept {
+    switch (kind) {
+        case FindingKind::bad_child: return "bad_child";
+        case FindingKind::unreachable_node: return "unreachable_node";
+        case FindingKind::too_deep: return "too_deep";
+        case FindingKind::plane_outside: return "plane_outside";
+        case FindingKind::bad_range: return "bad_range";
+        case FindingKind::unreachable_reference: return "unreachable_reference";
+        case FindingKind::bad_reference: return "bad_reference";
+        case FindingKind::unsorted_references: return "unsorted_references";
+        case FindingKind::missing_reference: return "missing_reference";
+        case FindingKind::stray_reference: return "stray_reference";
+        case FindingKind::lost_primitive: return "lost_primitive";
+        case FindingKind::bounds_too_small: return "bounds_too_small";
+    }
+    return "unknown";
+}
+
+std::vector<Finding> validate(const KdTree& tree, PrimitiveSetView primitives, std::size_t limit) {
+    return Validator(tree, primitives, limit).run();
+}
+
+}  // namespace coppice

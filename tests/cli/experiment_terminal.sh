@@ -1,0 +1,70 @@
+# coppice experiment on a terminal: a progress line that is there, and gone at the end; Ctrl-C.
+source "$(dirname "$0")/lib.bash"
+
+coppice generate terrain --triangles 20000 -o hills.ply >/dev/null
+
+# terminal.py RESULT COMMAND...: runs a command with stderr on a terminal of 100 columns and stdout
+# in RESULT.stdout, writes what the terminal got to RESULT, and ends with the command's code (128 +
+# its signal). With INTERRUPT set it presses Ctrl-C once the progress line shows that text.
+cat >terminal.py <<'PY'
+import fcntl, os, pty, struct, subprocess, sys, termios
+master, slave = pty.openpty()
+fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 100, 0, 0))
+
+def take_terminal():
+    os.setsid()
+    fcntl.ioctl(slave, termios.TIOCSCTTY, 0)
+
+with open(sys.argv[1] + ".stdout", "wb") as stdout:
+    process = subprocess.Popen(sys.argv[2:], stdin=slave, stdout=stdout, stderr=slave,
+                               preexec_fn=take_terminal)
+os.close(slave)
+seen = b""
+interrupt = os.environ.get("INTERRUPT", "").encode()
+while True:
+    try:
+        data = os.read(master, 65536)
+    except OSError:
+        break
+    if not data:
+        break
+    seen += data
+    if interrupt and interrupt in seen:
+        os.write(master, b"\x03")
+        interrupt = b""
+open(sys.argv[1], "wb").write(seen)
+code = process.wait()
+sys.exit(128 - code if code < 0 else code)
+PY
+export TERM=xterm
+run() { expect_exit "$1" python3 terminal.py "$2" "$COPPICE" experiment hills.ply "${@:3}"; }
+wipe=$'\r\e[K'
+
+run 0 seen --rates 100,10 --out done
+expect_file done/results.csv
+progress=$(tr '\r' '\n' <seen)
+grep -q 'hills: loading | 0 s' <<<"$progress" || fail 'no line while loading'
+grep -q 'hills 1/12: points, fixed, 100 %, seed 1 | ' <<<"$progress" || fail 'no first row'
+grep -qE 'hills 12/12: triangles, grown, 10 %, seed 1 \| .*, about [0-9]+ s left' \
+    <<<"$progress" || fail 'no last row with remaining time'
+grep -q 'writing the report' <<<"$progress" || fail 'no line while writing'
+expect_equal "$(tail -c 4 seen)" "$wipe"
+[[ $(wc -l <seen) -eq 0 ]] || fail 'the progress is more than one line'
+! grep -q $'\e' seen.stdout || fail 'escape codes on stdout'
+
+# A note does not get mixed up with the line.
+run 0 seen --rates 10 --out done
+python3 - <<'PY' || fail 'the note is mixed up with the line'
+import re
+assert re.search(rb'(^|\n|\r\x1b\[K)coppice: note: 100 %[^\r\n]*\r\n', open('seen', 'rb').read())
+PY
+
+# Nothing on a terminal that cannot wipe lines.
+TERM=dumb run 0 seen --rates 100 --out done
+expect_equal "$(<seen)" ''
+
+# Ctrl-C: the shell's code for it, no results, nothing left over, a clean line.
+INTERRUPT=', 4 %' run 130 seen --out interrupted
+expect_no_file interrupted
+! ls -A | grep -q '^\.coppice' || fail 'a temporary folder is left'
+grep -q "$(printf '\r\e\\[K')$" seen || fail 'the line is not wiped'

@@ -1,0 +1,47 @@
+#include "coppice/geom/triangle_mesh.h"
+
+#include "coppice/geom/primitive_set.h"
+
+#include "support/meshes.h"
+
+#include <gtest/gtest.h>
+
+namespace coppice::test {
+namespace {
+
+static_assert(PrimitiveSet<TriangleMeshView>);
+static_assert(sizeof(TriangleIndices) == 12, "index arrays are read and written as they are");
+
+TEST(BoundsOf, HoldsThePoints) {
+    EXPECT_EQ(bounds_of({}), Aabb{});
+    const std::vector<Vec3f> points{{1, 2, 3}, {-1, 5, 3}, {0, 0, 0}};
+    EXPECT_EQ(bounds_of(points), (Aabb{{-1, 0, 0}, {1, 5, 3}}));
+}
+
+TEST(TriangleMeshView, IsEmptyByDefault) {
+    const TriangleMeshView view;
+    EXPECT_EQ(view.size(), 0U);
+    EXPECT_TRUE(view.vertices().empty());
+    EXPECT_EQ(TriangleMesh{}.view().size(), 0U);
+}
+
+TEST(TriangleMeshView, SeesTheMesh) {
+    const TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}}, {{0, 1, 2}, {3, 2, 1}}};
+    const TriangleMeshView view = mesh.view();
+    EXPECT_EQ(view.size(), 2U);
+    EXPECT_EQ(view.vertices().data(), mesh.vertices.data());
+    EXPECT_EQ(view.triangles().data(), mesh.triangles.data());
+    EXPECT_EQ(view.triangle(1), (Triangle{Vec3f{0, 0, 3}, Vec3f{0, 2, 0}, Vec3f{1, 0, 0}}));
+    EXPECT_EQ(view.bounds(1), (Aabb{{0, 0, 0}, {1, 2, 3}}));
+}
+
+TEST(TriangleMeshView, ClipsItsTriangles) {
+    const TriangleMesh mesh = make_triangle({Vec3f{0, 0, 0}, Vec3f{2, 0, 0}, Vec3f{0, 2, 0}});
+    const Aabb box{{1, 0, 0}, {9, 9, 9}};
+    EXPECT_EQ(mesh.view().clipped_bounds(0, box),
+              clipped_triangle_bounds(mesh.view().triangle(0), box));
+    EXPECT_TRUE(mesh.view().clipped_bounds(0, {{3, 3, 3}, {4, 4, 4}}).is_empty());
+}
+
+}  // namespace
+}  // namespace coppice::test

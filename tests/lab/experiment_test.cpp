@@ -1,0 +1,265 @@
+#include "lab/experiment.h"
+
+#include "coppice/base/error.h"
+
+#include "lab/lab_scenes.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace coppice::lab {
+
+namespace {
+
+using test::TemporaryFolder;
+
+/// Everything an experiment told, in order.
+struct Told {
+    std::vector<ExperimentProgress> progress;
+    std::vector<std::string> scenes;
+    std::vector<std::string> notes;
+
+    [[nodiscard]] ExperimentObserver observer() {
+        return {[this](const ExperimentProgress& now) { progress.push_back(now); },
+                [this](const SceneResult& scene) { scenes.push_back(scene.scene); },
+                [this](const std::string& note) { notes.push_back(note); }};
+    }
+
+    [[nodiscard]] std::vector<std::string> steps() const {
+        std::vector<std::string> steps;
+        for (const ExperimentProgress& now : progress) {
+            steps.push_back(now.step);
+        }
+        return steps;
+    }
+};
+
+std::vector<double> percents_of(const SceneResult& scene) {
+    std::vector<double> percents;
+    for (const ResultRow& row : scene.rows) {
+        percents.push_back(row.sample_percent);
+    }
+    return percents;
+}
+
+ExperimentOptions small_options(const std::filesystem::path& scene) {
+    ExperimentOptions options;
+    options.scenes = {scene};
+    options.percents = {100, 20, 5};
+    return options;
+}
+
+std::string failure_of(const ExperimentOptions& options) {
+    try {
+        static_cast<void>(run_experiment(options));
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Experiment, RowsByKindProtocolSeedAndRate) {
+    const TemporaryFolder folder;
+    ExperimentOptions options = small_options(folder.make_scene("hills.ply", "terrain", 400));
+    options.seed_count = 2;
+    const auto results = run_experiment(options);
+    ASSERT_EQ(results.size(), 1U);
+    const std::vector<ResultRow>& rows = results[0].rows;
+    ASSERT_EQ(rows.size(), 2U * 3U * 2U * 3U);
+    std::size_t i = 0;
+    for (const char* primitives : {"points", "triangles"}) {
+        for (const char* protocol : {"fixed", "scaled", "grown"}) {
+            for (const std::uint64_t seed : {1U, 2U}) {
+                for (const double percent : {100.0, 20.0, 5.0}) {
+                    const ResultRow& row = rows[i++];
+                    EXPECT_EQ(row.scene, "hills");
+                    EXPECT_EQ(row.primitives, primitives);
+                    EXPECT_EQ(row.protocol, protocol);
+                    EXPECT_EQ(row.seed, seed);
+                    EXPECT_EQ(row.sample_percent, percent);
+                    EXPECT_EQ(row.report.options.sample.seed, seed);
+                    EXPECT_EQ(row.report.options.sample.rate, percent / 100.0);
+                }
+            }
+        }
+    }
+    EXPECT_EQ(results[0].recommended.size(), 6U);
+}
+
+TEST(Experiment, CountsOfTheScene) {
+    const TemporaryFolder folder;
+    const auto file = folder.make_file("quad.obj",
+                                       "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 0\n"
+                                       "f 1 2 3\nf 5 3 4\n");
+    const auto results = run_experiment(small_options(file));
+    EXPECT_EQ(results[0].vertex_count, 5U);
+    EXPECT_EQ(results[0].distinct_vertex_count, 4U);
+    EXPECT_EQ(results[0].triangle_count, 2U);
+    EXPECT_EQ(results[0].load_report.duplicate_vertices.count, 1U);
+    EXPECT_EQ(results[0].bounds, (Aabb{{0, 0, 0}, {1, 1, 0}}));
+    for (const ResultRow& row : results[0].rows) {
+        EXPECT_EQ(row.report.primitive_count, row.primitives == "points" ? 4U : 2U);
+    }
+}
+
+TEST(Experiment, RelativeCostIsAgainstTheFullTreeOfTheSameSeriesAndSeed) {
+    const TemporaryFolder folder;
+    ExperimentOptions options = small_options(folder.make_scene("balls.ply", "spheres", 2000));
+    options.seed_count = 2;
+    const auto results = run_experiment(options);
+    using Series = std::tuple<std::string, std::string, std::uint64_t>;
+    const auto series_of = [](const ResultRow& row) {
+        return Series{row.primitives, row.protocol, row.seed};
+    };
+    std::map<Series, double> references;
+    for (const ResultRow& row : results[0].rows) {
+        if (row.sample_percent == 100) references[series_of(row)] = row.report.statistics.sah_cost;
+    }
+    ASSERT_EQ(references.size(), 12U);
+    for (const ResultRow& row : results[0].rows) {
+        EXPECT_EQ(row.relative_cost,
+                  row.report.statistics.sah_cost / references.at(series_of(row)));
+    }
+}
+
+TEST(Experiment, FullTreeIsTheReferenceEvenIfNotAskedFor) {
+    const TemporaryFolder folder;
+    ExperimentOptions options = small_options(folder.make_scene("hills.ply", "terrain", 1000));
+    options.primitives = {PrimitiveKind::triangles};
+    options.protocols = {"fixed"};
+    const auto with_all = run_experiment(options);
+    options.percents = {20, 5};
+    Told told;
+    const auto without = run_experiment(options, told.observer());
+    EXPECT_THAT(percents_of(without[0]), testing::ElementsAre(20, 5));
+    EXPECT_EQ(without[0].rows[0].relative_cost, with_all[0].rows[1].relative_cost);
+    EXPECT_EQ(without[0].rows[1].relative_cost, with_all[0].rows[2].relative_cost);
+    EXPECT_THAT(told.notes, testing::ElementsAre(testing::HasSubstr("100 %")));
+    EXPECT_THAT(told.steps(), testing::ElementsAre("loading", "triangles, fixed, 100 %, seed 1",
+                                                   "triangles, fixed, 20 %, seed 1",
+                                                   "triangles, fixed, 5 %, seed 1"));
+}
+
+TEST(Experiment, RowsKeepTheOrderAskedForButTheFullTreeIsBuiltFirst) {
+    const TemporaryFolder folder;
+    ExperimentOptions options = small_options(folder.make_scene("hills.ply", "terrain", 400));
+    options.primitives = {PrimitiveKind::points};
+    options.protocols = {"grown"};
+    options.percents = {0.5, 50, 100, 10};
+    Told told;
+    const auto results = run_experiment(options, told.observer());
+    EXPECT_THAT(percents_of(results[0]), testing::ElementsAre(0.5, 50, 100, 10));
+    EXPECT_EQ(told.steps()[1], "points, grown, 100 %, seed 1");
+    EXPECT_EQ(results[0].rows[2].relative_cost, 1.0);
+    EXPECT_TRUE(told.notes.empty());
+}
+
+TEST(Experiment, ProgressCountsAllTreesAndSaysHowLongTheRestTakes) {
+    const TemporaryFolder folder;
+    const ExperimentOptions options = small_options(folder.make_scene("hills.ply", "terrain", 400));
+    Told told;
+    static_cast<void>(run_experiment(options, told.observer()));
+    ASSERT_EQ(told.progress.size(), 19U);
+    for (std::size_t i = 1; i < told.progress.size(); ++i) {
+        const ExperimentProgress& now = told.progress[i];
+        EXPECT_EQ(now.rows_done, i - 1);
+        EXPECT_EQ(now.row_count, 18U);
+        EXPECT_EQ(now.remaining_seconds.has_value(), i > 1) << i;
+    }
+}
+
+TEST(Experiment, PointCloudRunsPointsOnlyAndSaysSo) {
+    const TemporaryFolder folder;
+    Told told;
+    const auto results =
+        run_experiment(small_options(folder.make_point_cloud("cloud.ply")), told.observer());
+    EXPECT_EQ(results[0].rows.size(), 9U);
+    for (const ResultRow& row : results[0].rows) {
+        EXPECT_EQ(row.primitives, "points");
+    }
+    EXPECT_THAT(told.notes, testing::ElementsAre(testing::HasSubstr("only points")));
+}
+
+TEST(Experiment, PointCloudRefusesTrianglesThatWereAskedFor) {
+    const TemporaryFolder folder;
+    ExperimentOptions options = small_options(folder.make_point_cloud("cloud.ply"));
+    options.primitives = {PrimitiveKind::points, PrimitiveKind::triangles};
+    EXPECT_THAT(failure_of(options), testing::HasSubstr("without triangles"));
+    options.primitives = {PrimitiveKind::points};
+    EXPECT_EQ(failure_of(options), "");
+}
+
+TEST(Experiment, ScenesOfOneNameAreToldApart) {
+    const TemporaryFolder folder;
+    ExperimentOptions options = small_options(folder.make_scene("hills.ply", "terrain", 100));
+    options.scenes.push_back(folder.make_scene("hills.obj", "terrain", 200));
+    Told told;
+    const auto results = run_experiment(options, told.observer());
+    EXPECT_THAT(told.scenes, testing::ElementsAre("hills", "hills-2"));
+    EXPECT_EQ(results[1].rows[0].scene, "hills-2");
+    EXPECT_EQ(results[1].file, options.scenes[1]);
+}
+
+TEST(Experiment, ABadSceneAmongSeveralIsFoundBeforeTheFirstTree) {
+    const TemporaryFolder folder;
+    ExperimentOptions options = small_options(folder.make_scene("hills.ply", "terrain", 100));
+    options.scenes.push_back(folder.make_file("broken.obj", "v 0 0 0\nv 1 0 0\nf 1 2 9\n"));
+    Told told;
+    try {
+        static_cast<void>(run_experiment(options, told.observer()));
+        FAIL() << "did not throw";
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("broken.obj:3: "));
+    }
+    EXPECT_THAT(told.steps(), testing::ElementsAre("loading", "loading"));
+}
+
+TEST(Experiment, OddScenesHaveFiniteCosts) {
+    const TemporaryFolder folder;
+    const std::map<std::string, std::string> scenes{
+        {"one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+        {"equal.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n"},
+        {"line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\nf 2 3 1\n"}};
+    for (const auto& [name, text] : scenes) {
+        for (const double traversal : {0.0, 1.0}) {
+            ExperimentOptions options = small_options(folder.make_file(name, text));
+            options.build.cost.traversal = traversal;
+            options.build.split.max_leaf = 1;
+            const auto results = run_experiment(options);
+            for (const ResultRow& row : results[0].rows) {
+                EXPECT_TRUE(std::isfinite(row.report.statistics.sah_cost)) << name;
+                EXPECT_TRUE(std::isfinite(row.relative_cost)) << name << ' ' << row.sample_percent;
+            }
+        }
+    }
+}
+
+TEST(Experiment, OptionsOutOfRangeAreRefused) {
+    const TemporaryFolder folder;
+    const ExperimentOptions good = small_options(folder.make_scene("hills.ply", "terrain", 100));
+    const auto expect_refused = [&](auto&& spoil) {
+        ExperimentOptions options = good;
+        spoil(options);
+        EXPECT_NE(failure_of(options), "");
+    };
+    expect_refused([](ExperimentOptions& o) { o.scenes.clear(); });
+    expect_refused([](ExperimentOptions& o) { o.protocols.clear(); });
+    expect_refused([](ExperimentOptions& o) { o.protocols = {"fixed", "fixed"}; });
+    expect_refused([](ExperimentOptions& o) { o.protocols = {"grwon"}; });
+    expect_refused([](ExperimentOptions& o) { o.percents.clear(); });
+    expect_refused([](ExperimentOptions& o) { o.percents = {0}; });
+    expect_refused([](ExperimentOptions& o) { o.percents = {100.5}; });
+    expect_refused([](ExperimentOptions& o) { o.percents = {10, 10}; });
+    expect_refused([](ExperimentOptions& o) { o.seed_count = 0; });
+    expect_refused([](ExperimentOptions& o) { o.build.split.rule = "best"; });
+    expect_refused([](ExperimentOptions& o) {
+        o.primitives = {PrimitiveKind::points, PrimitiveKind::points};
+    });
+}
+
+}  // namespace
+
+}  // namespace coppice::lab

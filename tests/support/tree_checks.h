@@ -1,0 +1,80 @@
+#pragma once
+
+#include "coppice/tree/kd_tree.h"
+#include "coppice/tree/validate.h"
+#include "coppice/tree/walk.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <ostream>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace coppice {
+
+/// For gtest's messages.
+inline void PrintTo(const Finding& finding,  // NOLINT(readability-identifier-naming)
+                    std::ostream* stream) {
+    *stream << finding_name(finding.kind) << ": " << finding.message;
+}
+
+}  // namespace coppice
+
+namespace coppice::test {
+
+/// Success, or the first findings of validate().
+[[nodiscard]] inline testing::AssertionResult is_sound(const KdTree& tree,
+                                                       PrimitiveSetView primitives) {
+    const std::vector<Finding> findings = validate(tree, primitives, 3);
+    if (findings.empty()) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << testing::PrintToString(findings);
+}
+
+/// Success if nodes and references stand in the order that KdTree documents.
+[[nodiscard]] inline testing::AssertionResult is_in_order(const KdTree& tree) {
+    std::uint32_t next_pair = 1;
+    std::uint32_t next_reference = 0;
+    std::string fault;
+    walk(tree, [&](const VisitedNode& at) {
+        const KdNode& node = tree.nodes()[at.index];
+        if (!node.is_leaf()) {
+            if (node.lower_child() != next_pair)
+                fault = "child of node " + std::to_string(at.index);
+            next_pair += 2;
+        } else if (node.reference_count() > 0) {
+            if (node.first_reference() != next_reference) {
+                fault = "references of leaf " + std::to_string(at.index);
+            }
+            next_reference += node.reference_count();
+        }
+    });
+    if (next_pair != tree.nodes().size()) fault = "node count";
+    if (next_reference != tree.references().size()) fault = "reference count";
+    if (fault.empty()) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << "out of order: " << fault;
+}
+
+/// The depth of the deepest node.
+[[nodiscard]] inline int depth_of(const KdTree& tree) {
+    int depth = 0;
+    walk(tree, [&](const VisitedNode& at) { depth = std::max(depth, at.depth); });
+    return depth;
+}
+
+/// The number of different ids in all leaves.
+[[nodiscard]] inline std::size_t distinct_reference_count(const KdTree& tree) {
+    return std::set(tree.references().begin(), tree.references().end()).size();
+}
+
+/// The references of the largest leaf.
+[[nodiscard]] inline std::uint32_t largest_leaf(const KdTree& tree) {
+    std::uint32_t largest = 0;
+    for (const KdNode& node : tree.nodes()) {
+        if (node.is_leaf()) largest = std::max(largest, node.reference_count());
+    }
+    return largest;
+}
+
+}  // namespace coppice::test

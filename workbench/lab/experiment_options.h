@@ -1,0 +1,57 @@
+#pragma once
+
+#include "coppice/build/build_options.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace coppice::lab {
+
+/// What of a scene the trees are built over.
+enum class PrimitiveKind {
+    points,    ///< the distinct vertices, shuffled: the thesis's primitives
+    triangles  ///< the triangles
+};
+
+/// A kind of primitive under its name, with one line on what it is.
+struct PrimitiveKindEntry {
+    std::string_view name;
+    std::string_view summary;
+    PrimitiveKind kind;
+};
+
+/// All kinds of primitives, in the order in which they are run by default.
+[[nodiscard]] std::span<const PrimitiveKindEntry> primitive_kind_registry();
+
+/// The stable lower-case name, e.g. "points".
+[[nodiscard]] std::string_view name_of(PrimitiveKind kind) noexcept;
+
+/// What an experiment runs: every scene with every kind, protocol, seed 1 .. seed_count and rate.
+struct ExperimentOptions {
+    static constexpr int max_seed_count = 1000;
+
+    std::vector<std::filesystem::path> scenes;
+    std::vector<PrimitiveKind> primitives;  ///< distinct; empty = all that a scene has
+    std::vector<std::string> protocols{"fixed", "scaled", "grown"};  ///< distinct names
+    /// Sample rates in percent, distinct, each in (0, 100]. The defaults are the thesis's.
+    std::vector<double> percents{100, 50, 40, 30, 20, 10, 5, 4, 3, 2, 1};
+    int seed_count = 1;  ///< in [1, max_seed_count]
+    /// What all builds share. Each build's rate, seed, leaf limit and growth are set by its
+    /// protocol.
+    BuildOptions build;
+    std::filesystem::path out;  ///< the folder for the results; recorded, not written to by the run
+};
+
+/// Throws Error(invalid_argument) naming the first option that is outside its range.
+void check(const ExperimentOptions& options);
+
+/// Serializes the options as one flat object under the names that the program's options have;
+/// `threads` is the resolved number, `primitives` the resolved list.
+void to_json(nlohmann::json& json, const ExperimentOptions& options);
+
+}  // namespace coppice::lab
