@@ -23,7 +23,7 @@ demo: build ## an experiment on the Stanford dragon, with its report in out/
 			$(coppice) generate terrain --triangles 200000 -o scenes/terrain.obj; \
 	fi && \
 	$(coppice) experiment scenes/$$scene.obj --out out/$$scene && \
-	echo "Report: out/$$scene"
+	echo "Open out/$$scene/report.html"
 
 test: ## all tests
 	@tools/setup

@@ -148,7 +148,10 @@ void run_request(Request& request, const std::vector<std::string>& arguments, Ou
     options.scenes.assign(request.scenes.begin(), request.scenes.end());
     options.out = request.out.empty() ? lab::default_output_folder(options.scenes)
                                       : std::filesystem::path(request.out);
-    lab::check_writable(options.out, output_names);
+    {
+        const DeferInterrupts no_trace;
+        lab::check_writable(options.out, output_names);
+    }
 
     lab::ProgressLine progress(stderr);
     lab::ExperimentObserver observer;

@@ -47,7 +47,8 @@ std::vector<std::string> option_names(const CLI::App& command) {
 
 /// Throws UsageError for the first argument that no option or command took.
 void refuse_unknown(const CLI::App& app, std::string_view help_command) {
-    const std::vector<std::string> unknown = app.remaining();
+    std::vector<std::string> unknown = app.remaining();
+    std::erase(unknown, "--");  // the parser keeps the mark behind which nothing is an option
     if (unknown.empty()) return;
     const std::string& argument = unknown.front();
     const bool is_option = argument.starts_with('-');

@@ -37,8 +37,17 @@ Vec3d to_frame(const RayFrame& frame, Vec3d p) noexcept {
     return {p[frame.x] - frame.shear_x * z, p[frame.y] - frame.shear_y * z, frame.scale_z * z};
 }
 
+// a.x * b.y - a.y * b.x; where the products cancel, with their rounding errors. Else a ray in the
+// plane of a sliver, or of a degenerate triangle, would find weights of nothing but noise: zeros
+// that stand for any sign, and so hits far from the ray.
 double edge_function(Vec3d a, Vec3d b) noexcept {
-    return a.x * b.y - a.y * b.x;
+    const double first = a.x * b.y;
+    const double second = a.y * b.x;
+    const double difference = first - second;
+    if (!(std::abs(difference) < 0x1.0p-26 * (std::abs(first) + std::abs(second)))) {
+        return difference;
+    }
+    return difference + (std::fma(a.x, b.y, -first) - std::fma(a.y, b.x, -second));
 }
 
 }  // namespace

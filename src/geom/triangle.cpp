@@ -73,8 +73,9 @@ Aabb rounded_bounds(const Polygon& polygon, const Vec3d& error, const Aabb& limi
         }
         const float least = limits.lower[axis];
         const float most = limits.upper[axis];
-        box.lower[axis] = std::clamp(round_down(lower - error[axis]), least, most);
-        box.upper[axis] = std::clamp(round_up(upper + error[axis]), least, most);
+        // In this order a corner that is NaN gives the limits.
+        box.lower[axis] = std::min(most, std::max(least, round_down(lower - error[axis])));
+        box.upper[axis] = std::max(least, std::min(most, round_up(upper + error[axis])));
     }
     return box;
 }
@@ -82,9 +83,8 @@ Aabb rounded_bounds(const Polygon& polygon, const Vec3d& error, const Aabb& limi
 }  // namespace
 
 Aabb triangle_bounds(const Triangle& triangle) noexcept {
-    Aabb box{triangle[0], triangle[0]};
-    box.grow(triangle[1]);
-    box.grow(triangle[2]);
+    Aabb box;
+    for (const Vec3f& corner : triangle) box.grow(corner);
     return box;
 }
 

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <compare>
 #include <cstdint>
 #include <limits>
 #include <numeric>
@@ -61,7 +60,9 @@ struct TriangleOfCorner {
     std::uint32_t highest;
     std::uint32_t id;
 
-    auto operator<=>(const TriangleOfCorner&) const = default;
+    friend bool operator<(const TriangleOfCorner& a, const TriangleOfCorner& b) {
+        return std::tie(a.middle, a.highest, a.id) < std::tie(b.middle, b.highest, b.id);
+    }
 };
 
 /// The triangles by lowest corner, after `first_equals` was put in the corners' place. Those of

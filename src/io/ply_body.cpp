@@ -65,7 +65,8 @@ std::string_view AsciiPlyBody::next_word() {
 float BinaryPlyBody::next_coordinate(PlyType type) {
     const double value = next_number(type);
     if (!(std::fabs(value) <= static_cast<double>(std::numeric_limits<float>::max()))) {
-        fail(fmt::format("coordinate {} is not a finite float", value));
+        fail(fmt::format("coordinate {} is {}", value,
+                         std::isfinite(value) ? "beyond the range of float" : "not finite"));
     }
     return static_cast<float>(value);
 }

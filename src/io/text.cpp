@@ -13,6 +13,14 @@
 
 namespace coppice {
 
+namespace {
+
+bool is_digit(char c) noexcept {
+    return c >= '0' && c <= '9';
+}
+
+}  // namespace
+
 void TextPlace::fail(std::string_view message) const {
     throw file_error(ErrorCode::parse, file, line, message);
 }
@@ -76,7 +84,10 @@ float parse_coordinate(std::string_view word, const TextPlace& place) {
         place.fail(fmt::format("malformed coordinate {}", in_quotes(word)));
     }
     if (!std::isfinite(*value)) {
-        place.fail(fmt::format("coordinate {} is not a finite float", in_quotes(word)));
+        const bool is_number =
+            !std::isnan(*value) && std::any_of(word.begin(), word.end(), is_digit);
+        place.fail(fmt::format("coordinate {} is {}", in_quotes(word),
+                               is_number ? "beyond the range of float" : "not finite"));
     }
     return *value;
 }

@@ -34,9 +34,15 @@ Interval widened(double distance) noexcept {
     return {distance - slack, distance + slack};
 }
 
-// The part of the ray inside a box, widened; empty (enter > exit) if it misses.
+// How far a distance may be from the float it is rounded to.
+double rounding_of(float t) noexcept {
+    return 0x1.0p-22 * std::abs(static_cast<double>(t)) + 0x1.0p-149;
+}
+
+// The part of the ray inside a box, widened; empty (enter > exit) if it misses. Hits count by their
+// rounded t, so those a little outside of t_min and t_max may belong to the ray.
 Interval clip_to_box(const Ray& ray, const Aabb& box) noexcept {
-    Interval inside{ray.t_min, ray.t_max};
+    Interval inside{ray.t_min - rounding_of(ray.t_min), ray.t_max + rounding_of(ray.t_max)};
     for (const Axis axis : all_axes) {
         const double origin = ray.origin[axis];
         const double direction = ray.direction[axis];
@@ -109,8 +115,8 @@ std::optional<Hit> trace(const KdTree& tree, TriangleMeshView mesh, const Ray& r
     stack.push(0, clip_to_box(ray, tree.bounds()));
     while (!stack.is_empty()) {
         const auto [index, inside] = stack.pop();
-        // A hit's t is rounded to float: equally close hits may start a little behind it.
-        if (closest && inside.enter > closest->t + 0x1.0p-22 * std::abs(closest->t)) continue;
+        // Hits whose t is rounded to the same may lie a little behind.
+        if (closest && inside.enter > closest->t + rounding_of(closest->t)) continue;
         const KdNode& node = tree.nodes()[index];
         if (!node.is_leaf()) {
             push_children(stack, node, ray, inside);

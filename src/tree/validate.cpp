@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -29,7 +30,8 @@ struct Place {
 float tolerance_at(const Aabb& box, Plane plane) {
     const double scale = std::max(box.extent(plane.axis),
                                   std::abs(static_cast<double>(plane.position)));
-    return static_cast<float>(1e-6 * scale);
+    // Where all is denormal, rounding is a matter of the smallest float.
+    return static_cast<float>(1e-6 * scale) + 4.0F * std::numeric_limits<float>::denorm_min();
 }
 
 class Validator {

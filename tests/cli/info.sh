@@ -45,6 +45,11 @@ print(odd["load_report"]["negative_index_count"], odd["load_report"]["unused_ver
 1 1.0 [7.0, 7.0, 7.0]
 3 {'count': 1, 'first': [5]}"
 
+# A name that looks like an option.
+cp odd.obj ./-odd.obj
+expect_exit 0 coppice info -- -odd.obj
+expect_stdout '^-odd$'
+
 # Bad files.
 printf 'v 0 0 0\nv 1 0 0\nf 1 2 9\n' >broken.obj
 : >empty.obj

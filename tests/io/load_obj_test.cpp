@@ -146,10 +146,12 @@ TEST(LoadObj, NamesTheLineOfABadCoordinate) {
     const auto error_at = [](const std::string& x) {
         return error_of("a.obj", "v 0 0 0\n# note\nv 0 " + x + " 0\n");
     };
-    for (const char* const x :
-         {"nan", "-nan", "inf", "-INF", "infinity", "1e39", "-1e400", "3.5e38", "1e5000"}) {
+    for (const char* const x : {"nan", "-nan", "inf", "-INF", "infinity"}) {
+        EXPECT_EQ(error_at(x), std::string("a.obj:3: coordinate '") + x + "' is not finite");
+    }
+    for (const char* const x : {"1e39", "-1e400", "3.5e38", "1e5000"}) {
         EXPECT_EQ(error_at(x),
-                  std::string("a.obj:3: coordinate '") + x + "' is not a finite float");
+                  std::string("a.obj:3: coordinate '") + x + "' is beyond the range of float");
     }
     for (const char* const x : {"abc", "1x", "1,5", "--1", "+-1", "1e", "0x10", "1.2.3", "."}) {
         EXPECT_EQ(error_at(x), std::string("a.obj:3: malformed coordinate '") + x + "'");

@@ -23,7 +23,7 @@ TEST(LoadOff, NamesTheLineOfABadRow) {
         return error_of("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n" + rest);
     };
     EXPECT_EQ(error("0 1 0\n3 0 1 2\n"), "");
-    EXPECT_EQ(error("0 nan 0\n3 0 1 2\n"), "a.off:5: coordinate 'nan' is not a finite float");
+    EXPECT_EQ(error("0 nan 0\n3 0 1 2\n"), "a.off:5: coordinate 'nan' is not finite");
     EXPECT_EQ(error("0 1\n3 0 1 2\n"), "a.off:5: vertex of fewer than three numbers");
     EXPECT_EQ(error("0 1 0\n3 0 1 3\n"), "a.off:6: vertex index 3 out of range (3 vertices)");
     EXPECT_EQ(error("0 1 0\n3 0 1 -1\n"), "a.off:6: vertex index -1 out of range (3 vertices)");

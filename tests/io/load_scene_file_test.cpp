@@ -106,6 +106,7 @@ TEST(LoadSceneFile, KeepsAssimpsWarnings) {
 TEST(LoadSceneFile, WorksInManyThreadsAtOnce) {
     std::vector<std::uint64_t> warning_counts(8);
     std::vector<std::thread> threads;
+    threads.reserve(warning_counts.size());
     for (std::uint64_t& warning_count : warning_counts) {
         threads.emplace_back([&warning_count] {
             LoadReport report;

@@ -16,21 +16,37 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace coppice::test {
 
-/// An empty folder of the running test's own.
-[[nodiscard]] inline std::filesystem::path fresh_folder() {
-    static int number = 0;
-    const auto* const info = testing::UnitTest::GetInstance()->current_test_info();
-    std::string test = std::string(info->test_suite_name()) + "." + info->name();
-    for (char& c : test) {
-        c = c == '/' ? '_' : c;
+/// A folder for all files of this process, removed when it ends.
+class TestFolder {
+public:
+    TestFolder()
+        : path_(std::filesystem::path(testing::TempDir()) /
+                ("coppice_io_" + std::to_string(getpid()))) {}
+
+    ~TestFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
     }
-    const auto folder = std::filesystem::path(testing::TempDir()) /
-                        ("coppice_io_" + std::to_string(getpid()) + "_" + test) /
-                        std::to_string(number++);
+
+    TestFolder(const TestFolder&) = delete;
+    TestFolder& operator=(const TestFolder&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+/// An empty folder.
+[[nodiscard]] inline std::filesystem::path fresh_folder() {
+    static const TestFolder all;
+    static int number = 0;
+    const std::filesystem::path folder = all.path() / std::to_string(number++);
     std::filesystem::create_directories(folder);
     return folder;
 }
@@ -119,6 +135,22 @@ struct Loaded {
     }
     return bits;
 }
+
+/// While it lives, root has the rights of a user who owns nothing; others have theirs.
+class WithoutRights {
+public:
+    WithoutRights() : old_user_(geteuid()) {
+        EXPECT_EQ(seteuid(old_user_ == 0 ? 65534 : old_user_), 0);
+    }
+
+    ~WithoutRights() { EXPECT_EQ(seteuid(old_user_), 0); }
+
+    WithoutRights(const WithoutRights&) = delete;
+    WithoutRights& operator=(const WithoutRights&) = delete;
+
+private:
+    uid_t old_user_;
+};
 
 /// `value` as bytes, in the byte order that a binary PLY format names.
 template <typename T>

@@ -83,6 +83,17 @@ TEST(WriteFile, RefusesWhatItCannotReplace) {
     EXPECT_EQ(entry_count(folder), 2);
 }
 
+TEST(WriteFile, RefusesAFolderThatMayNotBeWritten) {
+    const std::filesystem::path file = make_file("a.txt", "old");
+    std::filesystem::permissions(file.parent_path(), std::filesystem::perms::owner_write,
+                                 std::filesystem::perm_options::remove);
+    {
+        const WithoutRights without_rights;
+        EXPECT_EQ(write_error(file, "new"), "a.txt: cannot write: Permission denied");
+    }
+    EXPECT_EQ(read_file(file), "old");
+}
+
 TEST(WriteFile, OnAFullDiskKeepsTheOldFileAndNoTemporaryOne) {
     const std::filesystem::path file = make_file("a.txt", "old");
     for (const std::size_t size : {std::size_t{2000}, std::size_t{10'000'000}}) {

@@ -58,7 +58,7 @@ TEST(ResultTable, SeedsAreAveragedWithTheirSpread) {
     const SceneResult scene = run_small(3);
     const std::string table = result_table(scene);
     EXPECT_THAT(table, HasSubstr("means of 3 seeds"));
-    EXPECT_EQ(count_lines_like(table, " 1\\.000-1\\.000$"), 6U);
+    EXPECT_EQ(count_lines_like(table, "^[* ] +100 .* 1\\.000-1\\.000$"), 6U);
     EXPECT_EQ(count_lines_like(table, "^\\* +10"), 6U);
 }
 

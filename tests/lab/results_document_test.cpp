@@ -145,23 +145,24 @@ TEST_F(ResultsDocument, RecommendsAmongItsRows) {
     }
 }
 
+void expect_equal_row(const Json& row, const std::vector<std::string>& names,
+                      const std::vector<std::string>& fields) {
+    ASSERT_EQ(fields.size(), names.size());
+    ASSERT_EQ(row.size(), names.size());
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const Json& value = row.at(names[i]);
+        const bool is_equal =
+            value.is_string() ? value == fields[i] : value.get<double>() == std::stod(fields[i]);
+        EXPECT_TRUE(is_equal) << names[i] << ": " << value << ", CSV: " << fields[i];
+    }
+}
+
 TEST_F(ResultsDocument, RowsEqualTheCsv) {
     const auto lines = parse_csv(csv_text(results_));
-    std::size_t line = 0;
-    const std::vector<std::string>& names = lines[line++];
+    std::size_t line = 1;
     for (const Json& scene : document_["scenes"]) {
         for (const Json& row : scene["rows"]) {
-            const std::vector<std::string>& fields = lines.at(line++);
-            ASSERT_EQ(fields.size(), names.size());
-            ASSERT_EQ(row.size(), names.size());
-            for (std::size_t i = 0; i < names.size(); ++i) {
-                const Json& value = row.at(names[i]);
-                if (value.is_string()) {
-                    EXPECT_EQ(value, fields[i]);
-                } else {
-                    EXPECT_EQ(value.get<double>(), std::stod(fields[i])) << names[i];
-                }
-            }
+            expect_equal_row(row, lines.at(0), lines.at(line++));
         }
     }
     EXPECT_EQ(line, lines.size());

@@ -45,8 +45,10 @@ TEST(PlaceLabels, LabelsKeepOffTheirLine) {
 
 TEST(PlaceLabels, ACrowdGetsFewerLabelsThanPoints) {
     std::vector<LabelPoint> crowd;
-    for (int i = 0; i < 50; ++i)
+    crowd.reserve(50);
+    for (int i = 0; i < 50; ++i) {
         crowd.push_back(point_at(250 + i, 150, 0));
+    }
     const auto sides = place_labels(crowd, corner);
     const auto unlabelled = std::ranges::count(sides, LabelSide::none);
     EXPECT_GT(unlabelled, 30);

@@ -76,8 +76,9 @@ TEST(CostTimeChart, TimesOfZeroForbidALogarithmicAxis) {
 
 TEST(CostTimeChart, FallsBackToTheCostItselfWithoutA100PercentTree) {
     json results = make_results({.percents = {50, 10}});
-    for (json& row : results["scenes"][0]["rows"])
+    for (json& row : results["scenes"][0]["rows"]) {
         row["relative_cost"] = nullptr;
+    }
     const json chart = make_cost_time_chart(series_of(results));
     EXPECT_EQ(chart["encoding"]["y"]["title"], "SAH cost");
     EXPECT_DOUBLE_EQ(find_value(chart, "fixed limit", 50)["cost"],
@@ -132,8 +133,9 @@ TEST(RateChart, ShowsTheMeasureWithABandOverSeeds) {
 
 TEST(RateChart, SmallTimesGetASmallUnit) {
     json results = make_results();
-    for (json& row : results["scenes"][0]["rows"])
+    for (json& row : results["scenes"][0]["rows"]) {
         row["total_seconds"] = 0.002;
+    }
     const json chart = make_rate_chart(series_of(results), {"total_seconds", "Build time", true});
     EXPECT_EQ(chart["encoding"]["y"]["title"], "Build time (ms)");
     EXPECT_DOUBLE_EQ(find_value(chart, "fixed limit", 10)["value"], 2.0);
@@ -191,8 +193,9 @@ TEST(ThesisChart, ShowsOursBesideTheFourScenes) {
 TEST(ThesisChart, LeavesOutTheThesissZeroSeconds) {
     const json chart =
         make_thesis_chart(series_of(make_results()), thesis_tables(), ThesisMeasure::build_time);
-    for (const json& value : values_of(chart))
+    for (const json& value : values_of(chart)) {
         EXPECT_GT(value["value"], 0.0) << value;
+    }
     EXPECT_EQ(chart["encoding"]["y"]["scale"]["type"], "log");
 }
 

@@ -7,10 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <regex>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace coppice::report {
@@ -110,20 +112,21 @@ TEST(MakeReport, CarriesTheChartLibrariesWhole) {
 
 TEST(MakeReport, HasAllChartsOfEverySceneAndKind) {
     const auto charts = charts_of(make_report(make_results({.scenes = {"dragon", "kitchen"}})));
-    for (const std::string scene : {"dragon", "kitchen"}) {
-        for (const std::string kind : {"points", "triangles"}) {
-            for (const std::string name :
+    for (const char* scene : {"dragon", "kitchen"}) {
+        for (const char* kind : {"points", "triangles"}) {
+            for (const char* name :
                  {"cost-time", "cost", "time", "nodes", "levels", "leaf-size", "cost-time-linear",
                   "stages-fixed", "stages-scaled", "stages-grown", "inner-visits", "leaf-visits",
                   "tests", "cost-share", "leaf-levels"}) {
-                const std::string id = scene + "-" + kind + "-" + name;
+                const std::string id =
+                    std::string(scene).append("-").append(kind).append("-").append(name);
                 ASSERT_TRUE(charts.contains(id)) << id;
                 EXPECT_FALSE(charts.at(id)["data"]["values"].empty()) << id;
                 EXPECT_FALSE(charts.at(id)["description"].empty()) << id;
             }
         }
-        EXPECT_TRUE(charts.contains(scene + "-points-thesis-cost"));
-        EXPECT_TRUE(charts.contains(scene + "-points-thesis-time"));
+        EXPECT_TRUE(charts.contains(std::string(scene) + "-points-thesis-cost"));
+        EXPECT_TRUE(charts.contains(std::string(scene) + "-points-thesis-time"));
     }
     EXPECT_EQ(charts.size(), 2U * (2U * 15U + 2U));
 }
@@ -147,8 +150,9 @@ TEST(MakeReport, EscapesEveryStringOfTheResults) {
     results["options"][test::evil_name] = {test::evil_name};
     results["scenes"][0]["file"] = test::evil_name;
     results["scenes"][0]["load_report"] = {{test::evil_name, test::evil_name}};
-    for (json& row : results["scenes"][0]["rows"])
+    for (json& row : results["scenes"][0]["rows"]) {
         row["sampler"] = test::evil_name;
+    }
     for (json& row : results["scenes"][0]["recommended"]) {
         row["rule"] = test::evil_name;
         row["source"] = test::evil_name;

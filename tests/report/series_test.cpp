@@ -35,8 +35,9 @@ TEST(CollectSeries, SortsProtocolsAndPercentagesWhateverTheRowsOrder) {
 TEST(CollectSeries, KeysAreUniqueForScenesThatLookAlike) {
     const auto series = collect_series(make_results({.scenes = {"a b", "a-b", "A B", "???", "!"}}));
     std::set<std::string> keys;
-    for (const Series& one : series)
+    for (const Series& one : series) {
         keys.insert(one.key);
+    }
     EXPECT_EQ(keys.size(), series.size());
 }
 

@@ -98,8 +98,9 @@ TEST(ThesisComparison, ComparesOnlyWhatBothHave) {
     const std::string half = comparison_of(make_results({.percents = {100, 50}}));
     EXPECT_EQ(half.find("At 50"), half.rfind("At 50"));
     json results = make_results({.percents = {50, 10}});
-    for (json& row : results["scenes"][0]["rows"])
+    for (json& row : results["scenes"][0]["rows"]) {
         row["relative_cost"] = nullptr;
+    }
     EXPECT_THAT(comparison_of(results), HasSubstr("no 100&nbsp;% trees"));
 }
 

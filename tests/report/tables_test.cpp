@@ -53,8 +53,9 @@ TEST(RowsTable, MarksWhatIsRecommendedAndWhatIsMissing) {
 
 TEST(RecommendationTable, PutsTheRuleBesideTheThesissHalf) {
     json results = make_results();
-    for (json& row : results["scenes"][0]["recommended"])
+    for (json& row : results["scenes"][0]["recommended"]) {
         row["sample_percent"] = 10;
+    }
     const std::string table =
         make_recommendation_table(results["scenes"][0], collect_series(results));
     EXPECT_EQ(count(table, "<tbody>"), 2U);

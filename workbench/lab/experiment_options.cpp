@@ -45,6 +45,7 @@ void check_percents(const std::vector<double>& percents) {
 
 std::vector<std::string_view> kind_names(const std::vector<PrimitiveKind>& primitives) {
     std::vector<std::string_view> names;
+    names.reserve(kinds.size());
     for (const PrimitiveKindEntry& entry : kinds) {
         if (primitives.empty()) names.push_back(entry.name);
     }
@@ -56,6 +57,7 @@ std::vector<std::string_view> kind_names(const std::vector<PrimitiveKind>& primi
 
 std::vector<std::string> path_names(const std::vector<std::filesystem::path>& paths) {
     std::vector<std::string> names;
+    names.reserve(paths.size());
     for (const auto& path : paths) {
         names.push_back(path.string());
     }

@@ -33,8 +33,8 @@ std::string find_entry(const char* file, std::string_view key, char separator) {
         if (at == std::string::npos || line[at] != separator) continue;
         const auto first = line.find_first_not_of(" \t\"", at + 1);
         const auto last = line.find_last_not_of(" \t\"");
-        if (first != std::string::npos && first <= last)
-            return line.substr(first, last - first + 1);
+        if (first == std::string::npos || first > last) continue;
+        return line.substr(first, last - first + 1);
     }
     return "unknown";
 }

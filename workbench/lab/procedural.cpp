@@ -240,7 +240,7 @@ TriangleMesh make_city(std::uint32_t triangle_count, std::uint64_t seed) {
     constexpr double ground_size = 100.0;
     constexpr std::uint32_t boxes_per_lot = 3;  // a house and what stands on it
     const std::uint32_t box_count = triangle_count <= 20 ? 1 : (triangle_count + 4) / 12;
-    const double lot_count = (box_count + boxes_per_lot - 1) / boxes_per_lot;
+    const std::uint32_t lot_count = (box_count + boxes_per_lot - 1) / boxes_per_lot;
     const auto lots_per_side = static_cast<std::uint32_t>(std::ceil(std::sqrt(lot_count)));
     const double lot_size = ground_size / lots_per_side;
     TriangleMesh mesh;
@@ -253,8 +253,10 @@ TriangleMesh make_city(std::uint32_t triangle_count, std::uint64_t seed) {
             continue;
         }
         const std::uint32_t lot = i / boxes_per_lot;
-        const double x = lot % lots_per_side * lot_size;
-        const double y = lot / lots_per_side * lot_size;
+        const std::uint32_t column = lot % lots_per_side;
+        const std::uint32_t row = lot / lots_per_side;
+        const double x = column * lot_size;
+        const double y = row * lot_size;
         const double width = random.between(0.3, 0.9) * lot_size;
         const double depth = random.between(0.3, 0.9) * lot_size;
         // Few houses are high: heights are distributed exponentially.

@@ -13,8 +13,11 @@ namespace coppice::lab {
 
 namespace {
 
-/// A wall-clock time, recorded to the microsecond.
+/// A wall-clock time, rounded to the microsecond once for both files: k / 1e6 is the double next to
+/// the decimal number k * 1e-6, so that six decimals and the shortest digits read back the same.
 struct Seconds {
+    explicit Seconds(double seconds) : value(std::nearbyint(seconds * 1e6) / 1e6) {}
+
     double value;
 };
 
@@ -105,10 +108,7 @@ struct JsonValue {
         return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
     }
 
-    // Rounded as in the CSV: k / 1e6 is the double next to the decimal number k * 1e-6.
-    nlohmann::ordered_json operator()(Seconds seconds) const {
-        return (*this)(std::nearbyint(seconds.value * 1e6) / 1e6);
-    }
+    nlohmann::ordered_json operator()(Seconds seconds) const { return (*this)(seconds.value); }
 };
 
 }  // namespace

@@ -150,8 +150,9 @@ json cost_time_chart(const Series& series, const CostTime& parts, const std::str
     layers.push_back({{"mark", point_mark()},
                       {"encoding", {{"shape", protocol_shape(protocols)}, {"tooltip", tooltip}}}});
     layers.push_back(ring_layer(tooltip));
-    for (const SidePlace& place : side_places)
+    for (const SidePlace& place : side_places) {
         layers.push_back(label_layer(place));
+    }
 
     json chart = chart_frame(description, plot_height);
     chart["data"] = {{"values", values}};

@@ -101,8 +101,9 @@ std::string make_slug(std::string_view text) {
             slug += '-';
         }
     }
-    while (slug.ends_with('-'))
+    while (slug.ends_with('-')) {
         slug.pop_back();
+    }
     return slug.empty() ? "unnamed" : slug;
 }
 

@@ -55,7 +55,8 @@ std::string figure(const std::string& id, const std::string& title, const std::s
 std::string scene_facts(const json& scene) {
     std::vector<std::string> facts;
     for (const auto& [key, noun] :
-         {std::pair{"triangle_count", "triangles"}, std::pair{"vertex_count", "vertices"}}) {
+         {std::pair{"triangle_count", "triangles"}, std::pair{"vertex_count", "vertices"},
+          std::pair{"distinct_vertex_count", "of them distinct"}}) {
         if (const auto count = number_at(scene, key)) {
             facts.push_back(format_count(*count) + " " + noun);
         }
@@ -64,15 +65,17 @@ std::string scene_facts(const json& scene) {
         facts.push_back("<code>" + escape_html(file) + "</code>");
     }
     std::string text;
-    for (const std::string& fact : facts)
+    for (const std::string& fact : facts) {
         text += (text.empty() ? "" : " · ") + fact;
+    }
     return text;
 }
 
 std::string seed_note(const Series& series) {
     std::size_t most = 0;
-    for (const RatePoint& point : series.points)
+    for (const RatePoint& point : series.points) {
         most = std::max(most, point.seed_count);
+    }
     return most > 1 ? fmt::format("Mean of {} seeds, with the least and the greatest.", most) : "";
 }
 
@@ -238,8 +241,18 @@ std::string constant(const json& results, std::string_view key) {
 
 json setup_fields(const json& results) {
     json fields = json::object();
-    for (const char* key : {"coppice", "git_revision", "created", "compiler", "build_type"}) {
+    for (const char* key :
+         {"coppice", "git_revision", "created", "compiler", "build_type", "flags"}) {
         if (results.contains(key)) fields[key] = results[key];
+    }
+    std::string command;
+    for (const json& word : array_at(results, "command")) {
+        if (word.is_string()) {
+            command += (command.empty() ? "" : " ") + word.get<std::string>();
+        }
+    }
+    if (!command.empty()) {
+        fields["command"] = command;
     }
     return fields;
 }

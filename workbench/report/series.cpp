@@ -76,8 +76,9 @@ void finish_means(RatePoint& point, const std::map<std::string, std::size_t>& co
         range.mean /= static_cast<double>(counts_by_key.at(key));
     }
     for (auto& [key, sums] : point.levels) {
-        for (double& sum : sums)
+        for (double& sum : sums) {
             sum /= static_cast<double>(counts_by_key.at(key));
+        }
     }
 }
 
@@ -93,8 +94,9 @@ void collect_points(Series& series, const json& scene) {
     for (const json& row : array_at(scene, "rows")) {
         if (RatePoint* point = add(row)) ++point->seed_count;
     }
-    for (const json& row : array_at(scene, "details"))
+    for (const json& row : array_at(scene, "details")) {
         add(row);
+    }
     for (const json& row : array_at(scene, "recommended")) {
         if (text_at(row, "primitives") != series.kind) continue;
         for (RatePoint& point : series.points) {
@@ -141,8 +143,9 @@ std::vector<std::string> Series::protocols() const {
 
 std::vector<double> Series::percents() const {
     std::set<double, std::greater<>> percents;
-    for (const RatePoint& point : points)
+    for (const RatePoint& point : points) {
         percents.insert(point.percent);
+    }
     return {percents.begin(), percents.end()};
 }
 

@@ -258,8 +258,9 @@ std::string make_answer(const json& scene, const std::vector<Series>& series) {
     }
     const json& first = array_at(scene, "recommended").front();
     std::string text = "<p class=\"answer\">Build on ";
-    for (std::size_t i = 0; i < phrases.size(); ++i)
+    for (std::size_t i = 0; i < phrases.size(); ++i) {
         text += (i > 0 ? "; on " : "") + phrases[i];
+    }
     text += fmt::format(". <span class=\"rule\">Rule: {}",
                         escape_html(capitalize(text_at(first, "rule"))));
     if (const std::string source = text_at(first, "source"); !source.empty()) {

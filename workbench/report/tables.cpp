@@ -178,10 +178,12 @@ std::string recommendation_rows(const json& scene, const Series& series) {
 
 std::vector<double> all_percents(const Series& series, const ThesisTables& thesis) {
     std::set<double, std::greater<>> percents;
-    for (const RatePoint& point : series.points)
+    for (const RatePoint& point : series.points) {
         percents.insert(point.percent);
-    for (const ThesisRow& row : thesis.rows)
+    }
+    for (const ThesisRow& row : thesis.rows) {
         percents.insert(row.percent);
+    }
     return {percents.begin(), percents.end()};
 }
 
@@ -204,8 +206,9 @@ std::string field_text(std::string_view key, const json& value) {
     if (value.is_string()) return escape_html(value.get<std::string>());
     if (value.is_array()) {
         std::string text;
-        for (const json& item : value)
+        for (const json& item : value) {
             text += (text.empty() ? "" : ", ") + field_text(key, item);
+        }
         return text.empty() ? "none" : text;
     }
     if (!value.is_number()) return escape_html(value.dump());
@@ -294,8 +297,9 @@ std::string make_thesis_table(const Series& series, const ThesisTables& thesis) 
     };
     const auto add_names = [&] {
         is_first = true;
-        for (const std::string& scene : thesis.scenes())
+        for (const std::string& scene : thesis.scenes()) {
             add_name(thesis_scene_title(scene));
+        }
         is_first = true;
         for (const std::string& protocol : series.protocols()) {
             add_name(protocol_style(protocol).label);

@@ -76,7 +76,8 @@ std::optional<Split> sweep_axis(const SplitQuery& query, Axis axis) {
     std::optional<Split> best;
     SplitCounts counts{0, query.fragments.size(), 0};
     for (;;) {
-        const float position = std::min({starts.next(), ends.next(), planars.next()});
+        // Never -0: which of equal zeros comes first depends on how the sort was divided.
+        const float position = std::min({starts.next(), ends.next(), planars.next()}) + 0.0F;
         if (position == Aabb::infinity) return best;
         // At the plane: what ends here is below it, what starts here is above.
         counts.above -= ends.pass(position);

@@ -1,0 +1,71 @@
+#include "build/kd_builder.h"
+
+#include "build/partition.h"
+#include "support/meshes.h"
+#include "support/tree_checks.h"
+
+#include <gtest/gtest.h>
+
+namespace coppice::test {
+namespace {
+
+constexpr StopRule to_the_end{0, 1, 50, SplitSearch::until_it_pays};
+
+KdTree tree_of(const TriangleMesh& mesh, const StopRule& stop, int depth = 0,
+               const BuildOptions& options = {}) {
+    const TriangleMeshView view = mesh.view();
+    const Aabb box = bounds_of_all(view);
+    Subtree built = KdBuilder(view, options, stop).build(whole_fragments(view), box, depth);
+    return {std::move(built.nodes), std::move(built.references), box};
+}
+
+TEST(KdBuilder, OfNothingIsAnEmptyLeaf) {
+    const KdTree tree = tree_of({}, to_the_end);
+    EXPECT_TRUE(tree == KdTree{});
+}
+
+TEST(KdBuilder, MakesSoundTreesInOrder) {
+    const TriangleMesh mesh = make_soup(300, 0.1F, 1);
+    for (const SplitSearch search : {SplitSearch::first_offer, SplitSearch::until_it_pays}) {
+        const KdTree tree = tree_of(mesh, {1, 3, 30, search});
+        EXPECT_TRUE(is_sound(tree, mesh.view()));
+        EXPECT_TRUE(is_in_order(tree));
+    }
+}
+
+TEST(KdBuilder, CountsDepthFromWhereItStarts) {
+    const TriangleMesh mesh = make_soup(300, 0.1F, 1);
+    EXPECT_EQ(depth_of(tree_of(mesh, {0, 1, 7, SplitSearch::until_it_pays}, 0)), 7);
+    EXPECT_EQ(depth_of(tree_of(mesh, {0, 1, 7, SplitSearch::until_it_pays}, 5)), 2);
+    EXPECT_EQ(depth_of(tree_of(mesh, {0, 1, 7, SplitSearch::until_it_pays}, 7)), 0);
+    EXPECT_EQ(depth_of(tree_of(mesh, {0, 1, 7, SplitSearch::until_it_pays}, 50)), 0);
+}
+
+TEST(KdBuilder, LooksOnAllAxesUntilASplitPays) {
+    // Sheets stacked along y in a node longest in x: only cuts between them pay.
+    TriangleMesh mesh;
+    for (int i = 0; i < 8; ++i) {
+        mesh = joined(std::move(mesh),
+                      make_sheet(1, {0, static_cast<float>(i), 0}, {20, 0, 0}, {0, 0, 9}));
+    }
+    add_triangle(mesh, {Vec3f{0, 0, 0}, Vec3f{19, 0, 0}, Vec3f{0, 1, 0}});  // an offer on x
+    const KdTree first = tree_of(mesh, {1, 1, 50, SplitSearch::first_offer});
+    const KdTree best = tree_of(mesh, {1, 1, 50, SplitSearch::until_it_pays});
+    EXPECT_EQ(first.nodes().size(), 1U);
+    ASSERT_GT(best.nodes().size(), 3U);
+    EXPECT_EQ(best.root().axis(), Axis::y);
+}
+
+TEST(KdBuilder, SplitsSinglePrimitivesOnlyIfThatPays) {
+    const TriangleMesh mesh = make_triangle({Vec3f{0, 0, 0}, Vec3f{1, 0, 0}, Vec3f{0, 1, 1}});
+    EXPECT_EQ(tree_of(mesh, to_the_end).nodes().size(), 1U);
+    // Cheap traversal: empty space around one triangle is worth cutting off.
+    const BuildOptions cheap{.cost = {.traversal = 0.0}};
+    const TriangleMeshView view = mesh.view();
+    const Aabb large{{-9, -9, -9}, {9, 9, 9}};
+    Subtree built = KdBuilder(view, cheap, to_the_end).build(whole_fragments(view), large, 0);
+    EXPECT_EQ(built.nodes.size(), 13U) << "six cuts";
+}
+
+}  // namespace
+}  // namespace coppice::test

@@ -1,0 +1,221 @@
+#include "coppice/trace/intersect.h"
+
+#include "coppice/build/build_tree.h"
+#include "coppice/trace/brute_force.h"
+
+#include "support/meshes.h"
+#include "support/rays.h"
+#include "support/scene_matrix.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <sstream>
+#include <string>
+#include <tuple>
+
+namespace coppice::test {
+namespace {
+
+std::string description(const Ray& ray) {
+    std::ostringstream text;
+    text << std::hexfloat << "{{" << ray.origin.x << ", " << ray.origin.y << ", " << ray.origin.z
+         << "}, {" << ray.direction.x << ", " << ray.direction.y << ", " << ray.direction.z << "}, "
+         << ray.t_min << ", " << ray.t_max << "}";
+    return text.str();
+}
+
+std::string description(const std::optional<Hit>& hit) {
+    if (!hit) return "no hit";
+    std::ostringstream text;
+    text << std::hexfloat << "triangle " << hit->prim << " at " << hit->t;
+    return text.str();
+}
+
+// Compares a tree with brute force on one ray.
+testing::AssertionResult agrees(const KdTree& tree, TriangleMeshView mesh, const Ray& ray) {
+    const auto expected = brute_force_intersect(mesh, ray);
+    const auto found = intersect(tree, mesh, ray);
+    const bool is_same_hit =
+        expected.has_value() == found.has_value() &&
+        (!expected || (expected->t == found->t && expected->u == found->u &&
+                       expected->v == found->v && expected->prim == found->prim));
+    if (!is_same_hit) {
+        return testing::AssertionFailure() << description(ray) << ": " << description(found)
+                                           << " instead of " << description(expected);
+    }
+    if (occluded(tree, mesh, ray) != expected.has_value()) {
+        return testing::AssertionFailure() << description(ray) << ": occluded() is wrong";
+    }
+    return testing::AssertionSuccess();
+}
+
+using SceneAndRule = std::tuple<NamedScene, std::string>;
+
+class IntersectScene : public testing::TestWithParam<SceneAndRule> {};
+
+TEST_P(IntersectScene, EqualsBruteForceForAllKindsOfRays) {
+    const auto& [scene, rule] = GetParam();
+    const TriangleMesh mesh = scene.make();
+    const int ray_count = mesh.triangles.size() > 1500 ? 8 : 40;
+    for (const double rate : {1.0, 0.3, 0.02}) {
+        for (const Growth growth : {Growth::none, Growth::kd}) {
+            const KdTree tree = build_kd_tree(mesh.view(), {.sample = {.rate = rate},
+                                                            .split = {.rule = rule, .max_leaf = 3},
+                                                            .growth = growth});
+            RaySource rays(mesh, tree, 31);
+            for (const RayKind kind : all_ray_kinds) {
+                for (int i = 0; i < ray_count; ++i) {
+                    ASSERT_TRUE(agrees(tree, mesh.view(), rays.next(kind)))
+                        << name_of(kind) << " " << i << ", rate " << rate << ", growth "
+                        << name_of(growth);
+                }
+            }
+        }
+    }
+}
+
+std::string scene_and_rule_name(const testing::TestParamInfo<SceneAndRule>& info) {
+    const auto& [scene, rule] = info.param;
+    return std::string(scene.name) + "_" + rule;
+}
+
+INSTANTIATE_TEST_SUITE_P(Seed31, IntersectScene,
+                         testing::Combine(testing::ValuesIn(scene_matrix()),
+                                          testing::Values("sah", "median", "midpoint")),
+                         scene_and_rule_name);
+
+class IntersectClosedMesh : public testing::TestWithParam<NamedScene> {};
+
+TEST_P(IntersectClosedMesh, HasNoGapSeenFromInside) {
+    const TriangleMesh mesh = GetParam().make();
+    const Aabb inner{{-0.3F, -0.3F, -0.3F}, {0.3F, 0.3F, 0.3F}};
+    for (const double rate : {1.0, 0.05}) {
+        for (const Clipping clipping : {Clipping::perfect, Clipping::bounding_box}) {
+            const KdTree tree = build_kd_tree(
+                mesh.view(), {.sample = {.rate = rate}, .split = {.clipping = clipping}});
+            Random random(17);
+            for (int i = 0; i < 10'000; ++i) {
+                const Triangle any = mesh.view().triangle(random.below(mesh.view().size()));
+                const Vec3f middle = to_float(0.5 * (to_double(any[0]) + to_double(any[1])));
+                const Vec3f from = i % 3 == 0 ? Vec3f{} : random.in_box(inner);
+                for (const Vec3f& target : {any[2], middle, to_float(random.direction())}) {
+                    const Ray ray = ray_through(from, target);
+                    ASSERT_TRUE(intersect(tree, mesh.view(), ray).has_value()) << description(ray);
+                    ASSERT_TRUE(occluded(tree, mesh.view(), ray)) << description(ray);
+                }
+            }
+        }
+    }
+}
+
+// A cube around the origin, on a grid, so that many planes hold many edges.
+TriangleMesh make_grid_cube() {
+    TriangleMesh mesh;
+    for (const Axis axis : all_axes) {
+        for (const float side : {-1.0F, 1.0F}) {
+            Vec3f origin{-1, -1, -1};
+            Vec3f u;
+            Vec3f v;
+            origin[axis] = side;
+            u[next_axis(axis)] = 0.125F;
+            v[next_axis(next_axis(axis))] = 0.125F;
+            mesh = joined(std::move(mesh), make_sheet(16, origin, u, v));
+        }
+    }
+    return mesh;
+}
+
+INSTANTIATE_TEST_SUITE_P(Seed17, IntersectClosedMesh,
+                         testing::Values(NamedScene{"sphere", [] { return make_sphere(24, 31); }},
+                                         NamedScene{"grid_cube", make_grid_cube}),
+                         scene_name);
+
+TEST(Intersect, HasNoGapAtGridEdges) {
+    const TriangleMesh mesh = make_grid_cube();
+    const KdTree tree = build_kd_tree(mesh.view(), {.sample = {.rate = 0.1}});
+    Random random(8);
+    for (int i = 0; i < 30'000; ++i) {
+        Ray ray;
+        for (const Axis axis : all_axes) {
+            ray.origin[axis] = 0.0625F * (static_cast<float>(random.below(31)) - 15.0F);
+            ray.direction[axis] = static_cast<float>(random.below(9)) - 4.0F;
+            if (ray.direction[axis] == 0.0F && random.below(2) == 0) ray.direction[axis] = -0.0F;
+        }
+        if (!is_traceable(ray)) continue;
+        ASSERT_TRUE(intersect(tree, mesh.view(), ray).has_value()) << description(ray);
+    }
+}
+
+TEST(Intersect, HitsNothingWithBadRays) {
+    const TriangleMesh mesh = make_sphere(10, 10);
+    const KdTree tree = build_kd_tree(mesh.view());
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    const Ray good{{0, 0, 0}, {0.1F, 0.2F, 1}};
+    ASSERT_TRUE(intersect(tree, mesh.view(), good).has_value());
+    std::vector<Ray> bad_rays{{{0, 0, 0}, {0, 0, 0}},       {{0, 0, 0}, {-0.0F, 0, -0.0F}},
+                              {{0, 0, 0}, {0, 0, 1}, 2, 1}, {{0, 0, 0}, {0, 0, 1}, -5, -1},
+                              {{0, 0, 0}, {0, 0, 1}, nan},  {{0, 0, 0}, {0, 0, 1}, 0, nan}};
+    for (const float bad : {nan, infinity, -infinity}) {
+        for (const Axis axis : all_axes) {
+            bad_rays.insert(bad_rays.end(), 2, good);
+            bad_rays.back().origin[axis] = bad;
+            bad_rays[bad_rays.size() - 2].direction[axis] = bad;
+        }
+    }
+    for (const Ray& ray : bad_rays) {
+        EXPECT_FALSE(intersect(tree, mesh.view(), ray).has_value()) << description(ray);
+        EXPECT_FALSE(occluded(tree, mesh.view(), ray)) << description(ray);
+        EXPECT_TRUE(agrees(tree, mesh.view(), ray));
+    }
+}
+
+TEST(Intersect, LooksBehindTheOriginIfAskedTo) {
+    const TriangleMesh mesh = make_soup(300, 0.2F, 6);
+    const KdTree tree = build_kd_tree(mesh.view());
+    RaySource rays(mesh, tree, 7);
+    for (int i = 0; i < 2000; ++i) {
+        Ray ray = rays.next(RayKind::between_points);
+        ray.t_min = i % 2 == 0 ? -std::numeric_limits<float>::infinity() : -0.7F;
+        ASSERT_TRUE(agrees(tree, mesh.view(), ray));
+    }
+}
+
+TEST(Intersect, TakesRaysOfAnyLengthAndPlace) {
+    const TriangleMesh mesh = make_soup(300, 0.2F, 6);
+    const KdTree tree = build_kd_tree(mesh.view());
+    RaySource rays(mesh, tree, 9);
+    Random random(10);
+    for (int i = 0; i < 3000; ++i) {
+        Ray ray = rays.next(RayKind::at_triangle);
+        const float factor = std::exp2(static_cast<float>(random.below(250)) - 125.0F);
+        ray.direction = factor * ray.direction;
+        ASSERT_TRUE(agrees(tree, mesh.view(), ray)) << i;
+        ray = rays.next(RayKind::at_triangle);
+        ray.origin = ray.origin - std::exp2(static_cast<float>(random.below(120))) * ray.direction;
+        ASSERT_TRUE(agrees(tree, mesh.view(), ray)) << i;
+    }
+}
+
+// Origins close to a plane of the tree, directions almost within it.
+TEST(Intersect, TakesRaysThatHardlyLeaveAPlane) {
+    const TriangleMesh mesh = make_boxes(3);
+    const KdTree tree = build_kd_tree(mesh.view());
+    RaySource rays(mesh, tree, 12);
+    Random random(13);
+    for (int i = 0; i < 10'000; ++i) {
+        Ray ray = rays.next(RayKind::in_split_plane);
+        const auto axis = static_cast<Axis>(random.below(3));
+        const auto tiny = [&] {
+            const float size = std::exp2(-static_cast<float>(random.below(140)));
+            return random.below(2) == 0 ? size : -size;
+        };
+        ray.direction[axis] += tiny();
+        if (random.below(2) == 0) ray.origin[axis] += tiny();
+        ASSERT_TRUE(agrees(tree, mesh.view(), ray)) << i;
+    }
+}
+
+}  // namespace
+}  // namespace coppice::test
