@@ -6,11 +6,16 @@ namespace coppice {
 
 std::string_view error_code_name(ErrorCode code) noexcept {
     switch (code) {
-        case ErrorCode::invalid_argument: return "invalid_argument";
-        case ErrorCode::io: return "io";
-        case ErrorCode::parse: return "parse";
-        case ErrorCode::unsupported: return "unsupported";
-        case ErrorCode::limit: return "limit";
+        case ErrorCode::invalid_argument:
+            return "invalid_argument";
+        case ErrorCode::io:
+            return "io";
+        case ErrorCode::parse:
+            return "parse";
+        case ErrorCode::unsupported:
+            return "unsupported";
+        case ErrorCode::limit:
+            return "limit";
     }
     return "unknown";
 }

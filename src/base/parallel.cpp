@@ -1,13 +1,13 @@
 #include "coppice/base/parallel.h"
 
-#include <algorithm>
-
 #include <tbb/blocked_range.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_sort.h>
 #include <tbb/task_arena.h>
+
+#include <algorithm>
 
 namespace coppice {
 

@@ -6,10 +6,10 @@
 
 #include "coppice/build/build_on_sample.h"
 
-#include <utility>
-
 #include "build/kd_builder.h"
 #include "build/partition.h"
+
+#include <utility>
 
 namespace coppice {
 
@@ -18,10 +18,11 @@ KdTree build_on_sample(PrimitiveSetView primitives, const Sample& sample,
     const Aabb box = bounds_of_all(primitives);
     std::vector<Fragment> fragments;
     fragments.reserve(sample.ids.size());
-    for (const std::uint32_t id : sample.ids) fragments.push_back({primitives.bounds(id), id});
+    for (const std::uint32_t id : sample.ids)
+        fragments.push_back({primitives.bounds(id), id});
 
-    const StopRule stop{options.split.max_leaf, options.split.bad_refines,
-                        options.split.max_depth, SplitSearch::first_offer};
+    const StopRule stop{options.split.max_leaf, options.split.bad_refines, options.split.max_depth,
+                        SplitSearch::first_offer};
     Subtree tree = KdBuilder(primitives, options, stop).build(std::move(fragments), box, 0);
     return {std::move(tree.nodes), std::move(tree.references), box};
 }

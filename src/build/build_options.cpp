@@ -1,11 +1,11 @@
 #include "coppice/build/build_options.h"
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
 #include "coppice/base/error.h"
 #include "coppice/build/split_finder.h"
 #include "coppice/tree/kd_tree.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace coppice {
 namespace {
@@ -23,7 +23,8 @@ void check(const BuildOptions& options) {
     static_cast<void>(find_sampler(options.sample.sampler));
     const SplitOptions& split = options.split;
     static_cast<void>(find_split_finder(split.rule));
-    require(split.max_depth >= 0 && split.max_depth <= KdTree::max_depth, "max depth", split.max_depth, "[0, 60]");
+    require(split.max_depth >= 0 && split.max_depth <= KdTree::max_depth, "max depth",
+            split.max_depth, "[0, 60]");
     require(split.max_leaf >= 1, "max leaf", split.max_leaf, "[1, 2^32)");
     require(split.bad_refines >= 1, "bad refines", split.bad_refines, "[1, 2^31)");
     require(options.threads >= 0, "threads", options.threads, "[0, 2^31)");

@@ -1,11 +1,5 @@
 #include "coppice/build/build_tree.h"
 
-#include <atomic>
-#include <cmath>
-#include <utility>
-
-#include <fmt/format.h>
-
 #include "coppice/base/error.h"
 #include "coppice/base/parallel.h"
 #include "coppice/base/timer.h"
@@ -15,6 +9,12 @@
 #include "coppice/build/refill.h"
 #include "coppice/build/refine.h"
 #include "coppice/cost/measure.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cmath>
+#include <utility>
 
 namespace coppice {
 namespace {
@@ -39,7 +39,8 @@ void require_finite_boxes(PrimitiveSetView primitives) {
     std::atomic<std::uint32_t> first_bad = primitives.size();
     parallel_for_chunks(primitives.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
         auto id = static_cast<std::uint32_t>(begin);
-        while (id < end && is_finite(primitives.bounds(id))) ++id;
+        while (id < end && is_finite(primitives.bounds(id)))
+            ++id;
         std::uint32_t first = first_bad;
         while (id < end && id < first && !first_bad.compare_exchange_weak(first, id)) {
         }
@@ -49,8 +50,7 @@ void require_finite_boxes(PrimitiveSetView primitives) {
                 fmt::format("primitive {} has no finite box", first_bad.load()));
 }
 
-KdTree run_pipeline(PrimitiveSetView primitives, const BuildOptions& options,
-                    BuildReport& report) {
+KdTree run_pipeline(PrimitiveSetView primitives, const BuildOptions& options, BuildReport& report) {
     Timer timer;
     StageSeconds& seconds = report.seconds;
 

@@ -1,21 +1,24 @@
 // The refilled tree is built on: all primitives go down it once more, and where they come to a leaf
-// a k-d tree of its own takes its place. On the way, two kinds of planes that the sample chose badly
-// are retracted; kept, they cost more than all else that sampling does (docs/decisions/0002).
-// - A plane that cut off a cell which was empty in the sample but is not in the scene: it was chosen
+// a k-d tree of its own takes its place. On the way, two kinds of planes that the sample chose
+// badly are retracted; kept, they cost more than all else that sampling does (docs/decisions/0002).
+// - A plane that cut off a cell which was empty in the sample but is not in the scene: it was
+// chosen
 //   for a bonus it does not earn. It moves out to where the cell is truly empty, if the heuristic,
-//   with all primitives counted, finds that cheaper; where there is no such place it goes.
-// - A plane chosen from a handful of sampled primitives: the node is built anew from all of its own.
-// Cost: one pass over the fragments a level, then the builder's.
+//   with all primitives counted, finds that cheaper; where there is no such place it goes, unless
+//   it saves half as much without the bonus.
+// - A plane chosen from a handful of sampled primitives: the node is built anew from all of its
+// own. Cost: one pass over the fragments a level, then the builder's.
+
+#include "coppice/build/refine.h"
+
+#include "build/kd_builder.h"
+#include "build/partition.h"
+#include "build/split/evaluate_plane.h"
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
-
-#include "build/kd_builder.h"
-#include "build/partition.h"
-#include "build/split/evaluate_plane.h"
-#include "coppice/build/refine.h"
 
 namespace coppice {
 namespace {
@@ -77,24 +80,35 @@ private:
                node.reference_count() > 0;
     }
 
+    // True if a split saves at least half of what the bonus for empty space made it seem to.
+    [[nodiscard]] bool keeps_its_promise(double cost, std::size_t fragment_count) const {
+        return cost < (1.0 - 0.5 * options_.cost.empty_bonus) *
+                          options_.cost.leaf_cost(static_cast<double>(fragment_count));
+    }
+
     // Decides anew about a plane whose child on `side` was empty in the sample only.
     void revise(Subtree& grown, std::uint32_t slot, Node node, PlanarSide side) const {
         const KdNode& old = nodes_[node.index];
         const Plane plane{old.axis(), begin_of(node.fragments, old.axis(), side)};
         const std::uint32_t rest =
             side == PlanarSide::below ? old.upper_child() : old.lower_child();
+        const SplitQuery query{node.fragments, node.box, options_.cost, 0.0};
+        const double old_cost = evaluate_plane(query, old.plane()).cost;
         if (!PlaneEvaluator(node.box, plane.axis, options_.cost).is_inside(plane.position)) {
-            grow(grown, slot, {rest, std::move(node.fragments), node.box, node.depth});
+            if (keeps_its_promise(old_cost, node.fragments.size())) {
+                split(grown, slot, std::move(node));
+            } else {
+                grow(grown, slot, {rest, std::move(node.fragments), node.box, node.depth});
+            }
             return;
         }
-        const SplitQuery query{node.fragments, node.box, options_.cost, 0.0};
-        if (!(evaluate_plane(query, plane).cost < evaluate_plane(query, old.plane()).cost)) {
+        if (!(evaluate_plane(query, plane).cost < old_cost)) {
             split(grown, slot, std::move(node));
             return;
         }
         const bool is_empty_below = side == PlanarSide::below;
-        const std::uint32_t lower = make_inner(
-            grown, slot, plane, is_empty_below ? PlanarSide::above : PlanarSide::below);
+        const std::uint32_t lower =
+            make_inner(grown, slot, plane, is_empty_below ? PlanarSide::above : PlanarSide::below);
         const Aabb rest_box = is_empty_below ? above(node.box, plane) : below(node.box, plane);
         grow(grown, is_empty_below ? lower + 1 : lower,
              {rest, std::move(node.fragments), rest_box, node.depth + 1});

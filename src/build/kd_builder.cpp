@@ -1,13 +1,12 @@
 #include "build/kd_builder.h"
 
+#include "build/partition.h"
+
 #include <limits>
 #include <utility>
 
-#include "build/partition.h"
-
 namespace coppice {
-KdBuilder::KdBuilder(PrimitiveSetView primitives, const BuildOptions& options,
-                     const StopRule& stop)
+KdBuilder::KdBuilder(PrimitiveSetView primitives, const BuildOptions& options, const StopRule& stop)
     : primitives_(primitives),
       finder_(find_split_finder(options.split.rule)),
       cost_(options.cost),
@@ -44,8 +43,8 @@ void KdBuilder::build_into(Subtree& tree, std::uint32_t slot, Node node) const {
         make_leaf(tree, slot, node.fragments);
         return;
     }
-    Partition sides = partition(node.fragments, split->plane, split->planar_side, primitives_,
-                                clipping_);
+    Partition sides =
+        partition(node.fragments, split->plane, split->planar_side, primitives_, clipping_);
     const std::size_t fragment_count = node.fragments.size();
     node.fragments = {};  // freed before the recursion, which needs the memory
     const auto build_child = [&](Subtree& part, std::uint32_t part_slot,

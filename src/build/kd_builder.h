@@ -1,20 +1,21 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <vector>
-
-#include "build/subtree.h"
 #include "coppice/build/build_options.h"
 #include "coppice/build/split_finder.h"
 #include "coppice/geom/primitive_set.h"
+
+#include "build/subtree.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace coppice {
 
 /// How long split rules look for a plane.
 enum class SplitSearch {
-    first_offer,  ///< the first axis that offers a plane decides, as in the thesis
-    until_it_pays ///< on through all axes until a split costs less than the leaf
+    first_offer,   ///< the first axis that offers a plane decides, as in the thesis
+    until_it_pays  ///< on through all axes until a split costs less than the leaf
 };
 
 /// When a node is not split any further.

@@ -36,8 +36,8 @@ Partition partition(std::span<const Fragment> fragments, Plane plane, PlanarSide
     for (const Fragment& fragment : fragments) {
         PlaneRelation relation = relation_to(fragment.box, plane);
         if (relation == PlaneRelation::in_plane) {
-            relation = planar_side == PlanarSide::below ? PlaneRelation::below
-                                                        : PlaneRelation::above;
+            relation =
+                planar_side == PlanarSide::below ? PlaneRelation::below : PlaneRelation::above;
         }
         if (relation == PlaneRelation::below) {
             sides.below.push_back(fragment);
@@ -64,7 +64,8 @@ std::vector<Fragment> whole_fragments(PrimitiveSetView primitives) {
 
 Aabb bounds_of_all(PrimitiveSetView primitives) {
     Aabb box;
-    for (std::uint32_t id = 0; id < primitives.size(); ++id) box.grow(primitives.bounds(id));
+    for (std::uint32_t id = 0; id < primitives.size(); ++id)
+        box.grow(primitives.bounds(id));
     return box;
 }
 

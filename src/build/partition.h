@@ -1,11 +1,11 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "coppice/build/build_options.h"
 #include "coppice/build/split_finder.h"
 #include "coppice/geom/primitive_set.h"
+
+#include <span>
+#include <vector>
 
 namespace coppice {
 

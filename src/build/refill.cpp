@@ -5,16 +5,17 @@
 
 #include "coppice/build/refill.h"
 
-#include <limits>
-#include <utility>
-
-#include <fmt/format.h>
-
-#include "build/partition.h"
-#include "build/subtree.h"
 #include "coppice/base/error.h"
 #include "coppice/base/parallel.h"
 #include "coppice/tree/walk.h"
+
+#include "build/partition.h"
+#include "build/subtree.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <utility>
 
 namespace coppice {
 namespace {
@@ -33,8 +34,8 @@ public:
             fill_leaf(index, fragments, references);
             return;
         }
-        Partition sides = partition(fragments, node.plane(), node.planar_side(), primitives_,
-                                    clipping_);
+        Partition sides =
+            partition(fragments, node.plane(), node.planar_side(), primitives_, clipping_);
         const bool in_parallel = fragments.size() >= parallel_fragment_count;
         fragments = {};
         if (!in_parallel) {
@@ -57,7 +58,8 @@ private:
                         fmt::format("a leaf would have {} references; at most {} are possible",
                                     fragments.size(), KdNode::max_payload));
         }
-        for (const Fragment& fragment : fragments) references.push_back(fragment.id);
+        for (const Fragment& fragment : fragments)
+            references.push_back(fragment.id);
         nodes_[index] = KdNode::make_leaf(0, static_cast<std::uint32_t>(fragments.size()),
                                           nodes_[index].in_sample());
     }

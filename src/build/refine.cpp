@@ -6,8 +6,10 @@ namespace coppice {
 
 KdTree refine(KdTree&& tree, PrimitiveSetView primitives, const BuildOptions& options) {
     switch (options.growth) {
-        case Growth::none: return std::move(tree);
-        case Growth::kd: return grow_kd(std::move(tree), primitives, options);
+        case Growth::none:
+            return std::move(tree);
+        case Growth::kd:
+            return grow_kd(std::move(tree), primitives, options);
     }
     return std::move(tree);
 }

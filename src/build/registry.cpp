@@ -1,14 +1,15 @@
-#include <array>
-#include <vector>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include "coppice/base/error.h"
+#include "coppice/build/split_finder.h"
 
 #include "build/split/median_split.h"
 #include "build/split/midpoint_split.h"
 #include "build/split/sah_sweep.h"
-#include "coppice/base/error.h"
-#include "coppice/build/split_finder.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <vector>
 
 namespace coppice {
 

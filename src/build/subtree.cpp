@@ -1,27 +1,26 @@
 #include "build/subtree.h"
 
-#include <limits>
+#include "coppice/base/error.h"
 
 #include <fmt/format.h>
 
-#include "coppice/base/error.h"
+#include <limits>
 
 namespace coppice {
 namespace {
 
 void require_at_most(std::uint64_t count, std::uint64_t limit, const char* what) {
     if (count <= limit) return;
-    throw Error(ErrorCode::limit,
-                fmt::format("the tree would have {} {}; at most {} are possible", count, what,
-                            limit));
+    throw Error(ErrorCode::limit, fmt::format("the tree would have {} {}; at most {} are possible",
+                                              count, what, limit));
 }
 
 constexpr std::uint64_t max_reference_count = std::numeric_limits<std::uint32_t>::max();
 
 KdNode relocated(const KdNode& node, std::uint32_t node_offset, std::uint32_t reference_offset) {
     if (node.is_leaf()) {
-        return KdNode::make_leaf(node.first_reference() + reference_offset,
-                                 node.reference_count(), node.in_sample());
+        return KdNode::make_leaf(node.first_reference() + reference_offset, node.reference_count(),
+                                 node.in_sample());
     }
     return KdNode::make_inner(node.plane(), node.planar_side(), node.lower_child() + node_offset);
 }
@@ -32,7 +31,8 @@ void make_leaf(Subtree& tree, std::uint32_t slot, std::span<const Fragment> frag
     const auto first = static_cast<std::uint32_t>(tree.references.size());
     require_at_most(fragments.size(), KdNode::max_payload, "references in a leaf");
     require_at_most(first + fragments.size(), max_reference_count, "references");
-    for (const Fragment& fragment : fragments) tree.references.push_back(fragment.id);
+    for (const Fragment& fragment : fragments)
+        tree.references.push_back(fragment.id);
     tree.nodes[slot] = KdNode::make_leaf(first, static_cast<std::uint32_t>(fragments.size()));
 }
 

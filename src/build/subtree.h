@@ -1,13 +1,13 @@
 #pragma once
 
-#include <cstdint>
-#include <span>
-#include <vector>
-
 #include "coppice/base/parallel.h"
 #include "coppice/build/split_finder.h"
 #include "coppice/geom/aabb.h"
 #include "coppice/tree/kd_node.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
 
 namespace coppice {
 

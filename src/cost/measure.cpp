@@ -1,8 +1,8 @@
 #include "coppice/cost/measure.h"
 
-#include <algorithm>
-
 #include "coppice/tree/walk.h"
+
+#include <algorithm>
 
 namespace coppice {
 namespace {
@@ -68,7 +68,8 @@ private:
         statistics_.mean_leaf_size = static_cast<double>(statistics_.reference_count) /
                                      static_cast<double>(statistics_.leaf_count);
         double total = 0.0;
-        for (const double cost : statistics_.cost_share_by_depth) total += cost;
+        for (const double cost : statistics_.cost_share_by_depth)
+            total += cost;
         for (double& share : statistics_.cost_share_by_depth) {
             share = total > 0.0 ? share / total : 0.0;
         }

@@ -1,11 +1,11 @@
 #include "coppice/cost/sah_cost_model.h"
 
-#include <cmath>
+#include "coppice/base/error.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "coppice/base/error.h"
+#include <cmath>
 
 namespace coppice {
 

@@ -4,9 +4,9 @@
 // to double where float gives zero; here all is double, which float input makes nearly exact.
 // Source: [Woop2013] sec. 3.
 
-#include <cmath>
-
 #include "coppice/geom/triangle.h"
+
+#include <cmath>
 
 namespace coppice {
 namespace {

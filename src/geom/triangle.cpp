@@ -84,7 +84,8 @@ Aabb rounded_bounds(const Polygon& polygon, const Vec3d& error, const Aabb& limi
 
 Aabb triangle_bounds(const Triangle& triangle) noexcept {
     Aabb box;
-    for (const Vec3f& corner : triangle) box.grow(corner);
+    for (const Vec3f& corner : triangle)
+        box.grow(corner);
     return box;
 }
 
@@ -102,7 +103,8 @@ Aabb clipped_triangle_bounds(const Triangle& triangle, const Aabb& box) noexcept
 
     const Vec3d error = clip_error(bounds);
     Polygon polygon;
-    for (const Vec3f& corner : triangle) polygon.add(to_double(corner));
+    for (const Vec3f& corner : triangle)
+        polygon.add(to_double(corner));
     for (const Axis axis : all_axes) {
         if (bounds.lower[axis] < box.lower[axis]) {
             polygon = clip(polygon, axis, box.lower[axis] - error[axis], -1.0);

@@ -4,7 +4,8 @@ namespace coppice {
 
 Aabb bounds_of(std::span<const Vec3f> points) noexcept {
     Aabb box;
-    for (const Vec3f& point : points) box.grow(point);
+    for (const Vec3f& point : points)
+        box.grow(point);
     return box;
 }
 

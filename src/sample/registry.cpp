@@ -1,13 +1,14 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include "coppice/base/error.h"
+#include "coppice/sample/sampler.h"
+
+#include "sample/uniform.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "coppice/base/error.h"
-#include "coppice/sample/sampler.h"
-#include "sample/uniform.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace coppice {
 

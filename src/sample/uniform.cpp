@@ -5,9 +5,9 @@
 
 #include "sample/uniform.h"
 
-#include <algorithm>
-
 #include "coppice/base/rng.h"
+
+#include <algorithm>
 
 namespace coppice {
 

@@ -1,9 +1,9 @@
 #include "coppice/scene/scene.h"
 
-#include <utility>
-
 #include "coppice/build/build_tree.h"
 #include "coppice/trace/intersect.h"
+
+#include <utility>
 
 namespace coppice {
 

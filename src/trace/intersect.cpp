@@ -7,11 +7,11 @@
 
 #include "coppice/trace/intersect.h"
 
+#include "coppice/geom/triangle.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "coppice/geom/triangle.h"
 
 namespace coppice {
 namespace {
@@ -98,8 +98,8 @@ bool test_leaf(std::span<const std::uint32_t> ids, TriangleMeshView mesh, const 
         auto hit = intersect_triangle(ray, mesh.triangle(id));
         if (!hit) continue;
         hit->prim = id;
-        const bool is_closer = !closest || hit->t < closest->t ||
-                               (hit->t == closest->t && id < closest->prim);
+        const bool is_closer =
+            !closest || hit->t < closest->t || (hit->t == closest->t && id < closest->prim);
         if (is_closer) closest = hit;
         if (any_hit) return true;
     }

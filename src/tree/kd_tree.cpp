@@ -4,8 +4,7 @@
 
 namespace coppice {
 
-KdTree::KdTree(std::vector<KdNode> nodes, std::vector<std::uint32_t> references,
-               const Aabb& bounds)
+KdTree::KdTree(std::vector<KdNode> nodes, std::vector<std::uint32_t> references, const Aabb& bounds)
     : nodes_(std::move(nodes)), references_(std::move(references)), bounds_(bounds) {
     if (nodes_.empty()) throw Error(ErrorCode::invalid_argument, "a k-d tree needs a root node");
 }

@@ -7,14 +7,14 @@
 
 #include "coppice/tree/validate.h"
 
+#include "coppice/tree/walk.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
-
-#include <fmt/format.h>
-
-#include "coppice/tree/walk.h"
 
 namespace coppice {
 namespace {
@@ -28,8 +28,8 @@ struct Place {
 };
 
 float tolerance_at(const Aabb& box, Plane plane) {
-    const double scale = std::max(box.extent(plane.axis),
-                                  std::abs(static_cast<double>(plane.position)));
+    const double scale =
+        std::max(box.extent(plane.axis), std::abs(static_cast<double>(plane.position)));
     // Where all is denormal, rounding is a matter of the smallest float.
     return static_cast<float>(1e-6 * scale) + 4.0F * std::numeric_limits<float>::denorm_min();
 }
@@ -100,8 +100,8 @@ private:
             if (end > count || std::find(owned + static_cast<std::ptrdiff_t>(first),
                                          owned + static_cast<std::ptrdiff_t>(end),
                                          true) != owned + static_cast<std::ptrdiff_t>(end)) {
-                report(FindingKind::bad_range, i, "leaf {} has references {} to {} of {}", i,
-                       first, end, count);
+                report(FindingKind::bad_range, i, "leaf {} has references {} to {} of {}", i, first,
+                       end, count);
                 continue;
             }
             std::fill(owned + static_cast<std::ptrdiff_t>(first),
@@ -141,8 +141,7 @@ private:
             }
             const Aabb box = primitives_.bounds(id);
             if (intersection(box, tree_.bounds()) != box) {
-                report(FindingKind::bounds_too_small, id, "primitive {} leaves the tree's box",
-                       id);
+                report(FindingKind::bounds_too_small, id, "primitive {} leaves the tree's box", id);
             }
         }
         descend({0, tree_.bounds(), tree_.bounds()}, std::move(all));
@@ -160,8 +159,7 @@ private:
         if (!(plane.position > at.box.lower[plane.axis] &&
               plane.position < at.box.upper[plane.axis])) {
             report(FindingKind::plane_outside, at.index, "node {} is split at {}, outside [{}, {}]",
-                   at.index, plane.position, at.box.lower[plane.axis],
-                   at.box.upper[plane.axis]);
+                   at.index, plane.position, at.box.lower[plane.axis], at.box.upper[plane.axis]);
             return;
         }
         const float tolerance = tolerance_at(at.box, plane);
@@ -213,18 +211,30 @@ private:
 
 const char* finding_name(FindingKind kind) noexcept {
     switch (kind) {
-        case FindingKind::bad_child: return "bad_child";
-        case FindingKind::unreachable_node: return "unreachable_node";
-        case FindingKind::too_deep: return "too_deep";
-        case FindingKind::plane_outside: return "plane_outside";
-        case FindingKind::bad_range: return "bad_range";
-        case FindingKind::unreachable_reference: return "unreachable_reference";
-        case FindingKind::bad_reference: return "bad_reference";
-        case FindingKind::unsorted_references: return "unsorted_references";
-        case FindingKind::missing_reference: return "missing_reference";
-        case FindingKind::stray_reference: return "stray_reference";
-        case FindingKind::lost_primitive: return "lost_primitive";
-        case FindingKind::bounds_too_small: return "bounds_too_small";
+        case FindingKind::bad_child:
+            return "bad_child";
+        case FindingKind::unreachable_node:
+            return "unreachable_node";
+        case FindingKind::too_deep:
+            return "too_deep";
+        case FindingKind::plane_outside:
+            return "plane_outside";
+        case FindingKind::bad_range:
+            return "bad_range";
+        case FindingKind::unreachable_reference:
+            return "unreachable_reference";
+        case FindingKind::bad_reference:
+            return "bad_reference";
+        case FindingKind::unsorted_references:
+            return "unsorted_references";
+        case FindingKind::missing_reference:
+            return "missing_reference";
+        case FindingKind::stray_reference:
+            return "stray_reference";
+        case FindingKind::lost_primitive:
+            return "lost_primitive";
+        case FindingKind::bounds_too_small:
+            return "bounds_too_small";
     }
     return "unknown";
 }

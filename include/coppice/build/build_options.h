@@ -1,12 +1,12 @@
 #pragma once
 
-#include <cstdint>
-#include <string>
+#include "coppice/cost/sah_cost_model.h"
+#include "coppice/sample/sampler.h"
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "coppice/cost/sah_cost_model.h"
-#include "coppice/sample/sampler.h"
+#include <cstdint>
+#include <string>
 
 namespace coppice {
 
@@ -18,11 +18,11 @@ enum class Clipping {
 
 /// When and where the sampled tree is split. Source: [Tsiompikas2022] sec. 4.3.1.
 struct SplitOptions {
-    std::string rule = "sah";    ///< a name of split_finder_registry()
-    int max_depth = 50;          ///< leaves are no deeper; in [0, 60]
-    std::uint32_t max_leaf = 32; ///< no node with at most so many primitives is split; >= 1
-    int bad_refines = 3;         ///< the split that would be the n-th on its path to cost more
-                                 ///< than the leaf is refused; >= 1
+    std::string rule = "sah";     ///< a name of split_finder_registry()
+    int max_depth = 50;           ///< leaves are no deeper; in [0, 60]
+    std::uint32_t max_leaf = 32;  ///< no node with at most so many primitives is split; >= 1
+    int bad_refines = 3;          ///< the split that would be the n-th on its path to cost more
+                                  ///< than the leaf is refused; >= 1
     Clipping clipping = Clipping::perfect;
 };
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <cstdint>
+#include "coppice/build/build_options.h"
+#include "coppice/cost/tree_statistics.h"
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "coppice/build/build_options.h"
-#include "coppice/cost/tree_statistics.h"
+#include <cstdint>
 
 namespace coppice {
 

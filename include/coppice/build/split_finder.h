@@ -1,13 +1,13 @@
 #pragma once
 
+#include "coppice/cost/sah_cost_model.h"
+#include "coppice/geom/aabb.h"
+#include "coppice/tree/kd_node.h"
+
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
-
-#include "coppice/cost/sah_cost_model.h"
-#include "coppice/geom/aabb.h"
-#include "coppice/tree/kd_node.h"
 
 namespace coppice {
 

@@ -23,8 +23,7 @@ struct SahCostModel {
                                               double count_above) const noexcept {
         const bool cuts_off_empty_space = count_below == 0.0 || count_above == 0.0;
         const double factor = cuts_off_empty_space ? 1.0 - empty_bonus : 1.0;
-        return traversal +
-               intersection * factor * (p_below * count_below + p_above * count_above);
+        return traversal + intersection * factor * (p_below * count_below + p_above * count_above);
     }
 };
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstdint>
 #include <vector>
-
-#include <nlohmann/json_fwd.hpp>
 
 namespace coppice {
 

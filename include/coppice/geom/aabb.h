@@ -1,9 +1,9 @@
 #pragma once
 
+#include "coppice/geom/vec3.h"
+
 #include <algorithm>
 #include <limits>
-
-#include "coppice/geom/vec3.h"
 
 namespace coppice {
 

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "coppice/geom/aabb.h"
+
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include "coppice/geom/aabb.h"
 
 namespace coppice {
 
@@ -13,6 +13,7 @@ namespace coppice {
 class PointCloudView {
 public:
     PointCloudView() = default;
+
     explicit PointCloudView(std::span<const Vec3f> points) noexcept : points_(points) {}
 
     [[nodiscard]] std::span<const Vec3f> points() const noexcept { return points_; }

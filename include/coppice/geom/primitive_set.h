@@ -1,17 +1,18 @@
 #pragma once
 
+#include "coppice/geom/aabb.h"
+
 #include <concepts>
 #include <cstdint>
 #include <memory>
-
-#include "coppice/geom/aabb.h"
 
 namespace coppice {
 
 /// A set of primitives that trees can be built on. Ids run from 0 to size() - 1.
 /// - `bounds(id)` is the primitive's box: finite, never empty.
 /// - `clipped_bounds(id, box)` is the box of its part inside `box`, within `box`, and empty if no
-///   part is. It may be larger than need be, never smaller; `intersection(bounds(id), box)` will do.
+///   part is. It may be larger than need be, never smaller; `intersection(bounds(id), box)` will
+///   do.
 /// Both are called from several threads at once.
 template <typename T>
 concept PrimitiveSet = requires(const T& set, std::uint32_t id, const Aabb& box) {
@@ -26,8 +27,8 @@ class PrimitiveSetView {
 public:
     // Implicit by design: a function that takes a PrimitiveSetView takes any set.
     template <PrimitiveSet Set>
-        requires(!std::same_as<Set, PrimitiveSetView>)
-    PrimitiveSetView(const Set& set) noexcept  // NOLINT(google-explicit-constructor)
+    requires(!std::same_as<Set, PrimitiveSetView>) PrimitiveSetView(const Set& set)
+    noexcept  // NOLINT(google-explicit-constructor)
         : set_(std::addressof(set)), calls_(&calls_of<Set>) {}
 
     [[nodiscard]] std::uint32_t size() const { return calls_->size(set_); }

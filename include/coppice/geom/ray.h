@@ -1,10 +1,10 @@
 #pragma once
 
+#include "coppice/geom/vec3.h"
+
 #include <cmath>
 #include <cstdint>
 #include <limits>
-
-#include "coppice/geom/vec3.h"
 
 namespace coppice {
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
-#include <optional>
-
 #include "coppice/geom/aabb.h"
 #include "coppice/geom/ray.h"
 #include "coppice/geom/vec3.h"
+
+#include <array>
+#include <optional>
 
 namespace coppice {
 

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "coppice/geom/aabb.h"
+#include "coppice/geom/triangle.h"
+
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include "coppice/geom/aabb.h"
-#include "coppice/geom/triangle.h"
 
 namespace coppice {
 
@@ -25,9 +25,7 @@ public:
 
     [[nodiscard]] std::span<const Vec3f> vertices() const noexcept { return vertices_; }
 
-    [[nodiscard]] std::span<const TriangleIndices> triangles() const noexcept {
-        return triangles_;
-    }
+    [[nodiscard]] std::span<const TriangleIndices> triangles() const noexcept { return triangles_; }
 
     /// Number of triangles.
     [[nodiscard]] std::uint32_t size() const noexcept {

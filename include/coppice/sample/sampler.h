@@ -1,12 +1,12 @@
 #pragma once
 
+#include "coppice/geom/primitive_set.h"
+
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "coppice/geom/primitive_set.h"
 
 namespace coppice {
 

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <optional>
-
 #include "coppice/build/build_options.h"
 #include "coppice/build/build_report.h"
 #include "coppice/geom/ray.h"
 #include "coppice/geom/triangle_mesh.h"
 #include "coppice/tree/kd_tree.h"
+
+#include <optional>
 
 namespace coppice {
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <optional>
-
 #include "coppice/geom/ray.h"
 #include "coppice/geom/triangle_mesh.h"
+
+#include <optional>
 
 namespace coppice {
 

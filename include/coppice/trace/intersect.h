@@ -1,10 +1,10 @@
 #pragma once
 
-#include <optional>
-
 #include "coppice/geom/ray.h"
 #include "coppice/geom/triangle_mesh.h"
 #include "coppice/tree/kd_tree.h"
+
+#include <optional>
 
 namespace coppice {
 

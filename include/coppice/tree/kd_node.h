@@ -1,9 +1,9 @@
 #pragma once
 
+#include "coppice/geom/aabb.h"
+
 #include <cstdint>
 #include <cstring>
-
-#include "coppice/geom/aabb.h"
 
 namespace coppice {
 
@@ -26,8 +26,8 @@ public:
     /// A leaf of `count` references from `first` on; count <= max_payload.
     [[nodiscard]] static KdNode make_leaf(std::uint32_t first, std::uint32_t count,
                                           SampleContent in_sample = SampleContent::some) noexcept {
-        return {first, count << tag_bits | static_cast<std::uint32_t>(in_sample) << flag_shift |
-                           leaf_tag};
+        return {first,
+                count << tag_bits | static_cast<std::uint32_t>(in_sample) << flag_shift | leaf_tag};
     }
 
     /// An inner node whose children are nodes `lower_child` and `lower_child + 1`;

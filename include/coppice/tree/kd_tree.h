@@ -1,11 +1,11 @@
 #pragma once
 
+#include "coppice/geom/aabb.h"
+#include "coppice/tree/kd_node.h"
+
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include "coppice/geom/aabb.h"
-#include "coppice/tree/kd_node.h"
 
 namespace coppice {
 
@@ -31,9 +31,7 @@ public:
 
     [[nodiscard]] const KdNode& root() const noexcept { return nodes_.front(); }
 
-    [[nodiscard]] std::span<const std::uint32_t> references() const noexcept {
-        return references_;
-    }
+    [[nodiscard]] std::span<const std::uint32_t> references() const noexcept { return references_; }
 
     /// The ids in one leaf of this tree.
     [[nodiscard]] std::span<const std::uint32_t> references(const KdNode& leaf) const noexcept {

@@ -1,28 +1,28 @@
 #pragma once
 
+#include "coppice/geom/primitive_set.h"
+#include "coppice/tree/kd_tree.h"
+
 #include <cstdint>
 #include <string>
 #include <vector>
-
-#include "coppice/geom/primitive_set.h"
-#include "coppice/tree/kd_tree.h"
 
 namespace coppice {
 
 /// What validate() can find wrong with a tree.
 enum class FindingKind {
-    bad_child,            ///< a child index out of range, shared, or not after its parent
-    unreachable_node,     ///< a node that no walk from the root meets
-    too_deep,             ///< a node below KdTree::max_depth
-    plane_outside,        ///< a plane that is not strictly inside its node's box
-    bad_range,            ///< a leaf's references reach past the array or overlap another leaf's
-    unreachable_reference,///< references that belong to no leaf
-    bad_reference,        ///< a reference to a primitive that does not exist
-    unsorted_references,  ///< a leaf's references are not strictly ascending (or repeat)
-    missing_reference,    ///< a primitive reaches into a leaf's inside that does not refer to it
-    stray_reference,      ///< a leaf refers to a primitive that does not touch its box
-    lost_primitive,       ///< a primitive in no leaf
-    bounds_too_small,     ///< a primitive that leaves the tree's box
+    bad_child,              ///< a child index out of range, shared, or not after its parent
+    unreachable_node,       ///< a node that no walk from the root meets
+    too_deep,               ///< a node below KdTree::max_depth
+    plane_outside,          ///< a plane that is not strictly inside its node's box
+    bad_range,              ///< a leaf's references reach past the array or overlap another leaf's
+    unreachable_reference,  ///< references that belong to no leaf
+    bad_reference,          ///< a reference to a primitive that does not exist
+    unsorted_references,    ///< a leaf's references are not strictly ascending (or repeat)
+    missing_reference,      ///< a primitive reaches into a leaf's inside that does not refer to it
+    stray_reference,        ///< a leaf refers to a primitive that does not touch its box
+    lost_primitive,         ///< a primitive in no leaf
+    bounds_too_small,       ///< a primitive that leaves the tree's box
 };
 
 /// The stable lower-case name of a kind of finding, e.g. "lost_primitive".
@@ -31,7 +31,8 @@ enum class FindingKind {
 /// One thing wrong with a tree, in words, with the node or primitive concerned.
 struct Finding {
     FindingKind kind;
-    std::uint64_t subject = 0;  ///< node index, or primitive id for lost_primitive, bounds_too_small
+    std::uint64_t subject =
+        0;  ///< node index, or primitive id for lost_primitive, bounds_too_small
     std::string message;
 };
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <cstdint>
-#include <span>
-
 #include "coppice/geom/aabb.h"
 #include "coppice/tree/kd_tree.h"
+
+#include <cstdint>
+#include <span>
 
 namespace coppice {
 

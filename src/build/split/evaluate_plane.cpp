@@ -5,10 +5,7 @@
 namespace coppice {
 
 PlaneEvaluator::PlaneEvaluator(const Aabb& box, Axis axis, const SahCostModel& cost) noexcept
-    : axis_(axis),
-      lower_(box.lower[axis]),
-      upper_(box.upper[axis]),
-      cost_(cost) {
+    : axis_(axis), lower_(box.lower[axis]), upper_(box.upper[axis]), cost_(cost) {
     const double width = box.extent(next_axis(axis));
     const double height = box.extent(next_axis(next_axis(axis)));
     cap_area_ = 2.0 * width * height;
@@ -36,9 +33,15 @@ Split evaluate_plane(const SplitQuery& query, Plane plane) noexcept {
     SplitCounts counts;
     for (const Fragment& fragment : query.fragments) {
         switch (relation_to(fragment.box, plane)) {
-            case PlaneRelation::below: ++counts.below; break;
-            case PlaneRelation::above: ++counts.above; break;
-            case PlaneRelation::in_plane: ++counts.in_plane; break;
+            case PlaneRelation::below:
+                ++counts.below;
+                break;
+            case PlaneRelation::above:
+                ++counts.above;
+                break;
+            case PlaneRelation::in_plane:
+                ++counts.in_plane;
+                break;
             case PlaneRelation::across:
                 ++counts.below;
                 ++counts.above;

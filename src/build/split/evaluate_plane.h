@@ -1,8 +1,8 @@
 #pragma once
 
-#include <cstdint>
-
 #include "coppice/build/split_finder.h"
+
+#include <cstdint>
 
 namespace coppice {
 

@@ -3,10 +3,10 @@
 
 #include "build/split/median_split.h"
 
+#include "build/split/evaluate_plane.h"
+
 #include <algorithm>
 #include <vector>
-
-#include "build/split/evaluate_plane.h"
 
 namespace coppice {
 namespace {

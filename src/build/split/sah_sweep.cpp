@@ -8,12 +8,13 @@
 
 #include "build/split/sah_sweep.h"
 
+#include "coppice/base/parallel.h"
+
+#include "build/split/evaluate_plane.h"
+
 #include <algorithm>
 #include <limits>
 #include <vector>
-
-#include "build/split/evaluate_plane.h"
-#include "coppice/base/parallel.h"
 
 namespace coppice {
 namespace {
@@ -57,7 +58,8 @@ public:
     // Passes all events at `position`, the next of all kinds; returns how many.
     std::size_t pass(float position) noexcept {
         const std::size_t before = passed_;
-        while (passed_ < positions_.size() && positions_[passed_] == position) ++passed_;
+        while (passed_ < positions_.size() && positions_[passed_] == position)
+            ++passed_;
         return passed_ - before;
     }
 
