@@ -26,10 +26,12 @@ concept PrimitiveSet = requires(const T& set, std::uint32_t id, const Aabb& box)
 class PrimitiveSetView {
 public:
     // Implicit by design: a function that takes a PrimitiveSetView takes any set.
+    // NOLINTBEGIN(google-explicit-constructor)
     template <PrimitiveSet Set>
     requires(!std::same_as<Set, PrimitiveSetView>) PrimitiveSetView(const Set& set)
-    noexcept  // NOLINT(google-explicit-constructor)
-        : set_(std::addressof(set)), calls_(&calls_of<Set>) {}
+    noexcept : set_(std::addressof(set)), calls_(&calls_of<Set>) {}
+
+    // NOLINTEND(google-explicit-constructor)
 
     [[nodiscard]] std::uint32_t size() const { return calls_->size(set_); }
 
