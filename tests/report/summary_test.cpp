@@ -44,16 +44,26 @@ TEST(Answer, EscapesWhatTheResultsSay) {
 
 TEST(Findings, AreTheNumbersOfTheSmallestSample) {
     const std::string findings = make_findings(collect_series(make_results()).front());
-    // 100^0.8 = 39.8, 2^0.8 = 1.74, 0.061 s of 2.041 s; 24 - log2(100) levels.
+    // 100^0.8 = 39.8, 2^0.8 = 1.74, 0.061 s of 2.041 s.
     EXPECT_THAT(findings,
                 HasSubstr("<b>Fixed leaf limit:</b> the tree built on 1\u00a0% costs "
-                          "<strong>39.8 times</strong> the full tree’s cost and takes "
-                          "2.99\u00a0% of its build time; at the thesis’s choice of 50&nbsp;% the "
-                          "cost is 1.74 times."));
-    EXPECT_THAT(findings, HasSubstr("at level 17 (full tree: 24)"));
+                          "<strong>39.8 times</strong> as much as its own full tree and takes "
+                          "2.99\u00a0% of that one’s build time; at the thesis’s choice of "
+                          "50&nbsp;% the cost is 1.74 times."));
+    EXPECT_THAT(findings, HasSubstr("hold 799 primitives (full tree: 8.00)"));
     EXPECT_THAT(findings, HasSubstr("log₂(1/r) = 6.64"));
     EXPECT_THAT(findings, HasSubstr("<strong>1.03 times</strong>"));  // grown
     EXPECT_THAT(findings, HasSubstr("the SAH cost is 88.5 with a fixed leaf limit"));
+}
+
+TEST(Findings, AverageTheLevelsOfAllLeaves) {
+    json results = make_results();
+    for (json& detail : results["scenes"][0]["details"]) {
+        const bool is_full = detail["sample_percent"] == 100.0;
+        detail["depth_histogram"] = is_full ? json{0, 0, 1, 2, 1} : json{0, 1, 3};
+    }
+    EXPECT_THAT(make_findings(collect_series(results).front()),
+                HasSubstr("its leaves lie at level 1.75 (full tree: 3.00)"));
 }
 
 TEST(Findings, GiveTheSpreadOverSeeds) {

@@ -21,9 +21,9 @@ struct Measure {
     bool is_share = false;    ///< drawn in percent
 };
 
-/// Cost against build time of all trees over one kind of primitive, a line for each protocol,
-/// points labelled by percentage, recommended ones ringed; axes are logarithmic where needed.
-/// The cost is relative to the 100 % tree, or the SAH cost itself where that is unknown.
+/// SAH cost against build time of all trees over one kind of primitive, a line for each protocol,
+/// points labelled by percentage, recommended ones ringed; axes are logarithmic where needed. Not
+/// relative to anything: protocols can be compared.
 [[nodiscard]] nlohmann::json make_cost_time_chart(const Series& series);
 
 /// The same from the results document, of the first scene with that name and that kind.
@@ -31,7 +31,7 @@ struct Measure {
 [[nodiscard]] nlohmann::json make_cost_time_chart(const nlohmann::json& results,
                                                   std::string_view scene, std::string_view kind);
 
-/// SAH cost against build time on linear axes: the diagram of the thesis (figures 9 to 12).
+/// The same on linear axes: the diagram of the thesis (figures 9 to 12).
 [[nodiscard]] nlohmann::json make_linear_cost_time_chart(const Series& series);
 
 /// One measure over the sample percentages, a line for each protocol.

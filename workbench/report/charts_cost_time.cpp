@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace coppice::report {
 namespace {
@@ -20,9 +22,7 @@ constexpr int plot_height = 320;
 
 // What both cost-time charts are drawn from.
 struct CostTime {
-    std::string cost_key;
-    std::string cost_title;
-    TimeUnit unit;
+    TimeUnit unit;  // of the times
     json x;
     json y;
 };
@@ -34,8 +34,8 @@ json cost_time_tooltip(const CostTime& parts, const json& values) {
             std::ranges::any_of(values, [&](const json& value) { return value.contains(field); });
         if (is_there) lines.push_back(tip(field, title, format));
     };
+    add("cost", "SAH cost", ",.4~r");
     add("relative_cost", "Cost / full tree's", ",.4~r");
-    add("sah_cost", "SAH cost", ",.4~r");
     add("time", "Build time (" + parts.unit.name + ")", ",.3~r");
     add("node_count", "Nodes", ",.0f");
     add("max_level", "Deepest level", ".3~r");
@@ -45,7 +45,7 @@ json cost_time_tooltip(const CostTime& parts, const json& values) {
 json cost_time_values(const Series& series, const CostTime& parts) {
     json values = json::array();
     for (const RatePoint& point : series.points) {
-        const Range* cost = point.find(parts.cost_key);
+        const Range* cost = point.find("sah_cost");
         const Range* seconds = point.find("total_seconds");
         if (cost == nullptr || seconds == nullptr) continue;
         json value{{"protocol", protocol_style(point.protocol).label},
@@ -54,7 +54,7 @@ json cost_time_values(const Series& series, const CostTime& parts) {
                    {"recommended", point.is_recommended}};
         put_range(value, "cost", *cost);
         put_range(value, "time", *seconds, parts.unit.per_second);
-        for (const char* key : {"relative_cost", "sah_cost", "node_count", "max_level"}) {
+        for (const char* key : {"relative_cost", "node_count", "max_level"}) {
             if (const Range* range = point.find(key)) value[key] = range->mean;
         }
         values.push_back(std::move(value));
@@ -161,26 +161,22 @@ json cost_time_chart(const Series& series, const CostTime& parts, const std::str
     return chart;
 }
 
-CostTime cost_time_parts(const Series& series, std::string cost_key, std::string cost_title) {
-    return {.cost_key = std::move(cost_key),
-            .cost_title = std::move(cost_title),
-            .unit = time_unit(series, "total_seconds"),
-            .x = {},
-            .y = {}};
+using MakeAxis = json(const std::string& field, const std::string& title,
+                      const std::vector<double>& values);
+
+CostTime cost_time_parts(const Series& series, MakeAxis& make_axis) {
+    const TimeUnit unit = time_unit(series, "total_seconds");
+    return {.unit = unit,
+            .x = make_axis("time", "Build time, all stages (" + unit.name + ")",
+                           collect_ends(series, "total_seconds", unit.per_second)),
+            .y = make_axis("cost", "SAH cost", collect_ends(series, "sah_cost"))};
 }
 
 }  // namespace
 
 json make_cost_time_chart(const Series& series) {
-    const bool is_relative = series.has_relative_cost();
-    CostTime parts = is_relative
-                         ? cost_time_parts(series, "relative_cost", "Cost / full tree's cost")
-                         : cost_time_parts(series, "sah_cost", "SAH cost");
-    parts.x = value_axis("time", "Build time, all stages (" + parts.unit.name + ")",
-                         collect_ends(series, "total_seconds", parts.unit.per_second));
-    parts.y = value_axis("cost", parts.cost_title, collect_ends(series, parts.cost_key));
-    return cost_time_chart(series, parts,
-                           fmt::format("Cost against build time of the trees over the {} of {}",
+    return cost_time_chart(series, cost_time_parts(series, value_axis),
+                           fmt::format("SAH cost against build time of the trees over the {} of {}",
                                        series.kind, series.scene));
 }
 
@@ -193,12 +189,8 @@ json make_cost_time_chart(const json& results, std::string_view scene, std::stri
 }
 
 json make_linear_cost_time_chart(const Series& series) {
-    CostTime parts = cost_time_parts(series, "sah_cost", "SAH cost");
-    parts.x = linear_axis("time", "Build time, all stages (" + parts.unit.name + ")",
-                          collect_ends(series, "total_seconds", parts.unit.per_second));
-    parts.y = linear_axis("cost", parts.cost_title, collect_ends(series, parts.cost_key));
     return cost_time_chart(
-        series, parts,
+        series, cost_time_parts(series, linear_axis),
         fmt::format("SAH cost against build time, on linear axes, of the trees over the {} of {}",
                     series.kind, series.scene));
 }

@@ -91,7 +91,7 @@ std::string answer_section(const json& scene, const std::vector<Series>& series,
         html += figure(
             kind.key + "-cost-time",
             fmt::format("Cost against build time, {}.", escape_html(kind.kind)),
-            "Down and left is better; a ring marks what the rule recommends. " + seed_note(kind),
+            "Down and left is better; rings mark what the rule recommends. " + seed_note(kind),
             make_cost_time_chart(kind));
     }
     html += "</div>";

@@ -74,10 +74,10 @@ std::string cost_sentence(const Series& series, const RatePoint& point) {
                            cost != nullptr ? format_ratio(cost->mean) : "–");
     }
     std::string text =
-        fmt::format("the tree built on {} costs {} the full tree’s cost",
+        fmt::format("the tree built on {} costs {} as much as its own full tree",
                     format_percent(point.percent), strong(times(*relative, point.seed_count)));
     if (const auto time = series.relative_to_full(point, "total_seconds")) {
-        text += fmt::format(" and takes {} of its build time", format_share(*time));
+        text += fmt::format(" and takes {} of that one’s build time", format_share(*time));
     }
     const RatePoint* half = series.find(point.protocol, 50.0);
     if (half != nullptr && half != &point && half->find("relative_cost") != nullptr) {
@@ -87,26 +87,38 @@ std::string cost_sentence(const Series& series, const RatePoint& point) {
     return text + ".";
 }
 
+// The mean level of the leaves.
+std::optional<double> mean_leaf_level(const RatePoint& point) {
+    const auto at = point.levels.find("depth_histogram");
+    if (at == point.levels.end()) return std::nullopt;
+    double leaves = 0.0;
+    double levels = 0.0;
+    for (std::size_t level = 0; level < at->second.size(); ++level) {
+        leaves += at->second[level];
+        levels += at->second[level] * static_cast<double>(level);
+    }
+    return leaves > 0.0 ? std::optional(levels / leaves) : std::nullopt;
+}
+
 // How the tree's shape changed against the full one of the same protocol.
 std::string shape_sentence(const Series& series, const RatePoint& point) {
     const RatePoint* full = series.find(point.protocol, 100.0);
     if (full == nullptr || full == &point) return {};
-    const Range* level = point.find("max_level");
-    const Range* full_level = full->find("max_level");
     const Range* leaf = point.find("mean_leaf_size");
     const Range* full_leaf = full->find("mean_leaf_size");
-    if (level == nullptr || full_level == nullptr || leaf == nullptr || full_leaf == nullptr) {
-        return {};
-    }
+    const std::optional<double> level = mean_leaf_level(point);
+    const std::optional<double> full_level = mean_leaf_level(*full);
+    if (leaf == nullptr || full_leaf == nullptr || !level || !full_level) return {};
     std::string text = fmt::format(
-        " Its deepest leaf is at level {} (full tree: {}) and its mean leaf holds {} primitives"
-        " (full tree: {}).",
-        format_count(level->mean), format_count(full_level->mean), format_ratio(leaf->mean),
+        " On average its leaves lie at level {} (full tree: {}) and hold {} primitives (full tree:"
+        " {}).",
+        format_ratio(*level), format_ratio(*full_level), format_ratio(leaf->mean),
         format_ratio(full_leaf->mean));
     if (point.protocol == "fixed" && leaf->mean > full_leaf->mean) {
         text += fmt::format(
-            " With the limit unchanged, a sample of rate r stops splitting about log₂(1/r) = {}"
-            " levels early: every leaf then takes in what those levels would have divided.",
+            " With the limit unchanged, a sample of rate r is expected to stop splitting"
+            " log₂(1/r) = {} levels early: every leaf then takes in what those levels would have"
+            " divided.",
             format_ratio(std::log2(100.0 / point.percent)));
     }
     return text;

@@ -274,7 +274,9 @@ std::string make_recommendation_table(const json& scene, const std::vector<Serie
     }
     return scrollable(
         "Recommended samples of " + text_at(scene, "scene"),
-        "<table class=\"recommendations\"><thead><tr><th rowspan=\"2\" "
+        "<table class=\"recommendations\"><caption>Costs and times are relative to the 100&nbsp;% "
+        "tree"
+        " of the same protocol.</caption><thead><tr><th rowspan=\"2\" "
         "scope=\"col\">primitives</th>"
         "<th rowspan=\"2\" scope=\"col\">protocol</th>"
         "<th colspan=\"3\" scope=\"colgroup\" class=\"first\">recommended</th>"
