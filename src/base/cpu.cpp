@@ -43,9 +43,9 @@ Isa choose_isa() {
         if (name_of(isa) == wanted) return isa;
         names.push_back(name_of(isa));
     }
-    throw Error(ErrorCode::invalid_argument,
-                fmt::format("COPPICE_ISA is '{}'; this processor has: {}", wanted,
-                            fmt::join(names, ", ")));
+    throw Error(
+        ErrorCode::invalid_argument,
+        fmt::format("COPPICE_ISA is '{}'; this processor has: {}", wanted, fmt::join(names, ", ")));
 }
 
 }  // namespace coppice

@@ -28,8 +28,8 @@ constexpr unsigned max_bits_per_axis = 4;
 constexpr std::size_t max_chunk_count = 32;
 constexpr std::size_t min_chunk_size = 4096;
 
-Vec3d centroid_of(const Aabb& box) {
-    return 0.5 * (to_double(box.lower) + to_double(box.upper));
+Vec3f centroid_of(const Aabb& box) {
+    return 0.5F * box.lower + 0.5F * box.upper;  // halved first: a float cannot overflow so
 }
 
 // A quarter of the diagonal, for only ratios matter and no finite box then overflows a float.
@@ -40,6 +40,12 @@ float diagonal_of(const Aabb& box) {
     return static_cast<float>(0.25 * std::sqrt(x * x + y * y + z * z));
 }
 
+// std::ceil() of what is greater than -1: a call of that costs more than all else here.
+std::int64_t ceil(double value) {
+    const auto whole = static_cast<std::int64_t>(value);
+    return whole + (static_cast<double>(whole) < value ? 1 : 0);
+}
+
 // Maps centroids to buckets along a Morton curve over their box.
 class MortonBuckets {
 public:
@@ -47,23 +53,23 @@ public:
         const auto wanted = static_cast<unsigned>(std::bit_width(primitive_count / bucket_size));
         bits_ = std::clamp((wanted + 2) / 3, 1U, max_bits_per_axis);
         for (const Axis axis : all_axes) {
-            const double extent = centroids.extent(axis);
-            scale_[axis] = extent > 0.0 ? std::ldexp(1.0, static_cast<int>(bits_)) / extent : 0.0;
+            const double scale = std::ldexp(1.0, static_cast<int>(bits_)) / centroids.extent(axis);
+            scale_[axis] =
+                scale < static_cast<double>(Aabb::infinity) ? static_cast<float>(scale) : 0.0F;
         }
     }
 
     [[nodiscard]] std::size_t count() const { return std::size_t{1} << (3 * bits_); }
 
-    [[nodiscard]] std::uint16_t at(const Vec3d& centroid) const {
+    [[nodiscard]] std::uint16_t at(const Vec3f& centroid) const {
         // The bits of 0 to 15, two apart.
         constexpr std::array<std::uint16_t, 16> spread{0,   1,   8,   9,   64,  65,  72,  73,
                                                        512, 513, 520, 521, 576, 577, 584, 585};
         std::uint32_t code = 0;
         for (const Axis axis : all_axes) {
-            const double place =
-                (centroid[axis] - static_cast<double>(origin_[axis])) * scale_[axis];
-            const auto last = static_cast<double>((1U << bits_) - 1);
-            const auto cell = static_cast<std::size_t>(std::clamp(place, 0.0, last));
+            const float place = (centroid[axis] - origin_[axis]) * scale_[axis];
+            const auto last = static_cast<float>((1U << bits_) - 1);
+            const auto cell = static_cast<std::size_t>(place < last ? place : last);
             code |= static_cast<std::uint32_t>(spread[cell]) << static_cast<unsigned>(axis);
         }
         return static_cast<std::uint16_t>(code);
@@ -72,17 +78,29 @@ public:
 private:
     Vec3f origin_;
     unsigned bits_ = 1;
-    Vec3d scale_{};
+    Vec3f scale_;
 };
 
 struct Chunks {
-    explicit Chunks(std::uint32_t count)
-        : size(std::max(min_chunk_size, (count + max_chunk_count - 1) / max_chunk_count)),
-          count((count + size - 1) / size) {}
+    explicit Chunks(std::uint32_t primitive_count)
+        : size(std::max(min_chunk_size, (primitive_count + max_chunk_count - 1) / max_chunk_count)),
+          count((primitive_count + size - 1) / size) {}
 
     std::size_t size;
     std::size_t count;
 };
+
+// Calls visit(id, box) for the primitives in [begin, end), their boxes fetched some at a time.
+template <typename Visit>
+void for_boxes(PrimitiveSetView primitives, std::size_t begin, std::size_t end, Visit&& visit) {
+    std::array<Aabb, 128> boxes;
+    for (std::size_t first = begin; first < end; first += boxes.size()) {
+        const std::size_t count = std::min(boxes.size(), end - first);
+        primitives.bounds(static_cast<std::uint32_t>(first), std::span(boxes).first(count));
+        for (std::size_t at = 0; at < count; ++at)
+            visit(first + at, boxes[at]);
+    }
+}
 
 // What the first pass over all boxes finds.
 struct Survey {
@@ -96,13 +114,10 @@ Survey survey(PrimitiveSetView primitives, const Chunks& chunks) {
     std::vector<Aabb> parts(chunks.count);
     parallel_for_chunks(primitives.size(), chunks.size, [&](std::size_t begin, std::size_t end) {
         Aabb& centroids = parts[begin / chunks.size];
-        for (std::size_t id = begin; id < end; ++id) {
-            const Aabb box = primitives.bounds(static_cast<std::uint32_t>(id));
-            const Vec3d centroid = centroid_of(box);
-            centroids.grow({static_cast<float>(centroid.x), static_cast<float>(centroid.y),
-                            static_cast<float>(centroid.z)});
+        for_boxes(primitives, begin, end, [&](std::size_t id, const Aabb& box) {
+            centroids.grow(centroid_of(box));
             survey.diagonals[id] = diagonal_of(box);
-        }
+        });
     });
     for (const Aabb& part : parts)
         survey.centroids.grow(part);
@@ -119,15 +134,14 @@ public:
           probability_(probability),
           bucket_of_(primitives.size()),
           starts_(chunks.count * buckets_.count()) {
-        parallel_for_chunks(primitives.size(), chunks.size, [&](std::size_t begin,
-                                                                std::size_t end) {
-            double* sums = &starts_[begin / chunks.size * buckets_.count()];
-            for (std::size_t id = begin; id < end; ++id) {
-                const Aabb box = primitives.bounds(static_cast<std::uint32_t>(id));
-                bucket_of_[id] = buckets_.at(centroid_of(box));
-                sums[bucket_of_[id]] += probability_(diagonals_[id]);
-            }
-        });
+        parallel_for_chunks(
+            primitives.size(), chunks.size, [&](std::size_t begin, std::size_t end) {
+                double* sums = &starts_[begin / chunks.size * buckets_.count()];
+                for_boxes(primitives, begin, end, [&](std::size_t id, const Aabb& box) {
+                    bucket_of_[id] = buckets_.at(centroid_of(box));
+                    sums[bucket_of_[id]] += probability_(diagonals_[id]);
+                });
+            });
         double total = 0.0;
         for (std::size_t bucket = 0; bucket < buckets_.count(); ++bucket) {
             for (std::size_t chunk = 0; chunk < chunks.count; ++chunk) {
@@ -145,10 +159,10 @@ public:
         for (std::size_t id = begin; id < end; ++id) {
             const std::size_t bucket = bucket_of_[id];
             const double p = probability_(diagonals_[id]);
-            const double from = start[bucket] + sums[bucket];
+            const double from = start[bucket] + sums[bucket] - offset;
             sums[bucket] += p;
-            const double to = start[bucket] + sums[bucket];
-            if (std::ceil(to - offset) <= std::ceil(from - offset)) continue;
+            const double to = start[bucket] + sums[bucket] - offset;
+            if (ceil(to) <= ceil(from)) continue;
             drawn.ids.push_back(static_cast<std::uint32_t>(id));
             drawn.weights.push_back(static_cast<float>(1.0 / p));
         }
@@ -168,8 +182,7 @@ Sample EquidistantSampler::draw(PrimitiveSetView primitives, std::uint32_t count
                                 const SampleOptions& options) const {
     const Chunks chunks(primitives.size());
     const Survey found = survey(primitives, chunks);
-    const Positions positions(primitives, found, chunks,
-                              choose(found.diagonals, count, options));
+    const Positions positions(primitives, found, chunks, choose(found.diagonals, count, options));
     // Not so near to a whole number that rounding could add or lose a draw.
     const double offset = 0.001 + 0.998 * random_unit(options.seed, 0);
     std::vector<Sample> parts(chunks.count);

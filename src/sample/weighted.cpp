@@ -14,8 +14,7 @@ constexpr int max_rounds = 16;
 
 }  // namespace
 
-InclusionProbability WeightedSampler::choose(std::span<const float> diagonals,
-                                             std::uint32_t count,
+InclusionProbability WeightedSampler::choose(std::span<const float> diagonals, std::uint32_t count,
                                              const SampleOptions& options) const {
     double sum = 0.0;
     for (const float diagonal : diagonals)

@@ -6,8 +6,7 @@ namespace coppice {
 
 /// Large primitives with greater probability, one from each stretch of a Morton curve.
 class WeightedSampler final : public EquidistantSampler {
-    [[nodiscard]] InclusionProbability choose(std::span<const float> diagonals,
-                                              std::uint32_t count,
+    [[nodiscard]] InclusionProbability choose(std::span<const float> diagonals, std::uint32_t count,
                                               const SampleOptions& options) const override;
 };
 

@@ -1,10 +1,11 @@
 #pragma once
 
-#include "coppice/base/big_vector.h"
 #include "coppice/geom/aabb.h"
+#include "coppice/geom/triangle.h"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 
 namespace coppice {
@@ -13,14 +14,17 @@ namespace coppice {
 inline constexpr std::size_t wide_width = 8;
 
 /// What a slot of a wide node holds: nothing, an inner node, or a leaf of one or more blocks.
+/// Uninitialized unless made by a factory: traversals have stacks of them.
 class WideChild {
 public:
     static constexpr std::uint32_t max_node_index = (1U << 31) - 2;
     static constexpr std::uint32_t max_block_index = (1U << 27) - 1;
     static constexpr std::uint32_t max_block_count = 16;
 
+    WideChild() = default;
+
     /// Nothing.
-    constexpr WideChild() noexcept = default;
+    [[nodiscard]] static constexpr WideChild make_empty() noexcept { return WideChild(empty_bits); }
 
     /// An inner node; index <= max_node_index.
     [[nodiscard]] static constexpr WideChild make_inner(std::uint32_t index) noexcept {
@@ -60,7 +64,7 @@ private:
 
     explicit constexpr WideChild(std::uint32_t bits) noexcept : bits_(bits) {}
 
-    std::uint32_t bits_ = empty_bits;
+    std::uint32_t bits_;
 };
 
 /// Eight children with their boxes, axis by axis as the kernels load them. Empty slots come last
@@ -89,28 +93,40 @@ struct alignas(64) WideNode {
 static_assert(sizeof(WideNode) == 256);
 
 /// Up to eight triangles of a leaf, corner by corner and axis by axis as the kernels load them.
-/// Lanes without a triangle come last; they have the id `no_triangle` and corners of zero, which no
+/// Lanes without a triangle come last; they have the id `no_triangle` and corners of NaN, which no
 /// ray hits.
 struct alignas(64) TriangleBlock {
     static constexpr std::uint32_t no_triangle = 0xffffffff;
 
     std::array<std::array<std::array<float, wide_width>, 3>, 3> corner;  ///< [corner][axis][lane]
     std::array<std::uint32_t, wide_width> id;
+
+    /// The corners in one lane.
+    [[nodiscard]] Triangle triangle(std::size_t lane) const noexcept {
+        const auto at = [&](std::size_t vertex) {
+            return Vec3f{corner[vertex][0][lane], corner[vertex][1][lane], corner[vertex][2][lane]};
+        };
+        return {at(0), at(1), at(2)};
+    }
 };
 
 static_assert(sizeof(TriangleBlock) == 320);
 
 /// An immutable 8-wide bounding volume hierarchy over triangles, with a copy of their corners:
 /// what rays are traced against. Node 0 is the root; children follow their parents; the blocks of
-/// a leaf stand together.
+/// a leaf stand together. Copies share their arrays.
 class WideBvh {
 public:
+    /// No node is deeper (the root's depth is 0), so that traversals do with a stack of fixed size.
+    static constexpr int max_depth = 64;
+
     /// The tree of nothing: a root without children.
     WideBvh();
 
-    /// Takes over arrays in the order described above. Throws Error(invalid_argument) if `nodes`
-    /// is empty; validate() checks the rest.
-    WideBvh(BigVector<WideNode> nodes, BigVector<TriangleBlock> blocks, const Aabb& bounds);
+    /// A tree in arrays of the order described above, which `storage` keeps alive. Throws
+    /// Error(invalid_argument) if `nodes` is empty; validate() checks the rest.
+    WideBvh(std::shared_ptr<const void> storage, std::span<const WideNode> nodes,
+            std::span<const TriangleBlock> blocks, const Aabb& bounds);
 
     [[nodiscard]] std::span<const WideNode> nodes() const noexcept { return nodes_; }
 
@@ -121,12 +137,13 @@ public:
 
     /// Bytes of nodes and blocks.
     [[nodiscard]] std::uint64_t byte_count() const noexcept {
-        return nodes_.size() * sizeof(WideNode) + blocks_.size() * sizeof(TriangleBlock);
+        return nodes_.size_bytes() + blocks_.size_bytes();
     }
 
 private:
-    BigVector<WideNode> nodes_;
-    BigVector<TriangleBlock> blocks_;
+    std::shared_ptr<const void> storage_;
+    std::span<const WideNode> nodes_;
+    std::span<const TriangleBlock> blocks_;
     Aabb bounds_;
 };
 

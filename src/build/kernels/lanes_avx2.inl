@@ -14,6 +14,12 @@ inline Lanes max(Lanes a, Lanes b) noexcept {
     return _mm256_max_ps(a, b);
 }
 
+inline Lanes only_if(bool condition, Lanes lanes) noexcept {
+    const __m256i mask = _mm256_set1_epi32(condition ? -1 : 0);
+    return _mm256_blendv_ps(_mm256_set1_ps(-std::numeric_limits<float>::infinity()), lanes,
+                            _mm256_castsi256_ps(mask));
+}
+
 inline __m128 sum_of(Lanes reference) noexcept {
     return _mm_sub_ps(_mm256_extractf128_ps(reference, 1), _mm256_castps256_ps128(reference));
 }

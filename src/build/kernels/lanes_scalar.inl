@@ -21,6 +21,11 @@ inline Lanes max(Lanes a, Lanes b) noexcept {
     return a;
 }
 
+// The lanes, or -infinity in all of them.
+inline Lanes only_if(bool condition, Lanes lanes) noexcept {
+    return condition ? lanes : Lanes{Box8::make_empty()};
+}
+
 // The sums lower + upper, negated in lanes 0 to 2, as they are in lanes 4 to 6.
 inline Lanes centroid_of(Lanes reference) noexcept {
     Lanes centroid;

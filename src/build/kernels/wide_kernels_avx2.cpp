@@ -2,11 +2,11 @@
 
 #if defined(__x86_64__)
 
-#include "build/kernels/isa.h"
-
-#include <algorithm>
+#include "base/isa.h"
 
 #include <immintrin.h>
+
+#include <algorithm>
 
 namespace coppice::wide {
 
@@ -15,7 +15,6 @@ COPPICE_BEGIN_AVX2
 namespace {
 
 #include "build/kernels/lanes_avx2.inl"
-
 #include "build/kernels/wide_kernels.inl"
 
 }  // namespace

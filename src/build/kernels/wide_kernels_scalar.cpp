@@ -6,7 +6,6 @@ namespace coppice::wide {
 namespace {
 
 #include "build/kernels/lanes_scalar.inl"
-
 #include "build/kernels/wide_kernels.inl"
 
 }  // namespace

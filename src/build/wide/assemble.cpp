@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace coppice::wide {
@@ -65,10 +66,13 @@ void copy_nodes(const PlacedPart& placed, std::span<WideNode> nodes) {
     }
 }
 
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr Triangle nowhere{Vec3f{nan, nan, nan}, Vec3f{nan, nan, nan}, Vec3f{nan, nan, nan}};
+
 void fill_block(TriangleBlock& block, std::span<const std::uint32_t> ids, TriangleMeshView mesh) {
     for (std::size_t lane = 0; lane < wide_width; ++lane) {
         const bool is_used = lane < ids.size();
-        const Triangle triangle = is_used ? mesh.triangle(ids[lane]) : Triangle{};
+        const Triangle triangle = is_used ? mesh.triangle(ids[lane]) : nowhere;
         block.id[lane] = is_used ? ids[lane] : TriangleBlock::no_triangle;
         for (std::size_t corner = 0; corner < 3; ++corner) {
             block.corner[corner][0][lane] = triangle[corner].x;
@@ -93,7 +97,7 @@ void fill_blocks(const PlacedPart& placed, std::span<const std::uint32_t> ids,
 
 }  // namespace
 
-WideBvh assemble(GrownTree&& grown, TriangleMeshView mesh) {
+WideBvh assemble(GrownTree&& grown, Arena&& arena, TriangleMeshView mesh) {
     Places places;
     places.add(grown.root);
     if (places.node_count > WideChild::max_node_index ||
@@ -104,13 +108,19 @@ WideBvh assemble(GrownTree&& grown, TriangleMeshView mesh) {
                                 places.node_count, places.block_count, WideChild::max_node_index,
                                 WideChild::max_block_index));
     }
-    BigVector<WideNode> nodes(places.node_count);
-    BigVector<TriangleBlock> blocks(places.block_count);
+    const std::size_t node_bytes = places.node_count * sizeof(WideNode);
+    const std::size_t all_bytes = node_bytes + places.block_count * sizeof(TriangleBlock);
+    const std::span<const std::uint32_t> ids = arena.ids();
+    const bool fits = all_bytes <= arena.bytes_before_ids();
+    BigBuffer storage = fits ? arena.release() : BigBuffer(all_bytes);
+    const auto nodes = storage.view<WideNode>(0, places.node_count);
+    const auto blocks = storage.view<TriangleBlock>(node_bytes, places.block_count);
     parallel_for_chunks(places.parts.size(), 1, [&](std::size_t at, std::size_t /*end*/) {
         copy_nodes(places.parts[at], nodes);
-        fill_blocks(places.parts[at], grown.ids, mesh, blocks);
+        fill_blocks(places.parts[at], ids, mesh, blocks);
     });
-    return {std::move(nodes), std::move(blocks), grown.bounds};
+    storage.shrink(all_bytes);
+    return {std::make_shared<const BigBuffer>(std::move(storage)), nodes, blocks, grown.bounds};
 }
 
 }  // namespace coppice::wide

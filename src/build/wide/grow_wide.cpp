@@ -22,11 +22,13 @@ constexpr std::uint32_t max_leaf_size = 2 * block_size;
 // Smaller ranges are not worth a task and a part of their own.
 constexpr std::uint32_t min_task_size = 2048;
 
+// From this depth on ranges are halved by number: 2^32 references are then leaves 11 levels below.
+constexpr int max_sah_depth = WideBvh::max_depth - 12;
+
 constexpr std::uint32_t not_top = 0xffffffff;
 
 Aabb to_aabb(const Box8& box) {
-    return {{box.lower(0), box.lower(1), box.lower(2)},
-            {box.upper(0), box.upper(1), box.upper(2)}};
+    return {{box.lower(0), box.lower(1), box.lower(2)}, {box.upper(0), box.upper(1), box.upper(2)}};
 }
 
 // A child to be: a node of the top, or a range of references.
@@ -45,8 +47,8 @@ struct Item {
 class Grower {
 public:
     Grower(const Top& top, std::span<const Range> cells, const Splitter& splitter,
-           std::size_t reference_count)
-        : top_(top), splitter_(splitter), ids_(reference_count), ranges_(top.nodes.size()) {
+           std::span<std::uint32_t> ids)
+        : top_(top), splitter_(splitter), ids_(ids), ranges_(top.nodes.size()) {
         for (std::size_t node = top.nodes.size(); node-- > 0;)
             ranges_[node] = range_of(top.nodes[node], cells);
     }
@@ -54,8 +56,7 @@ public:
     [[nodiscard]] GrownTree grow() && {
         GrownTree grown;
         grown.bounds = to_aabb(ranges_[0].box);
-        grow_node(grown.root, make_item(0));
-        grown.ids = std::move(ids_);
+        grow_node(grown.root, make_item(0), 0);
         return grown;
     }
 
@@ -89,7 +90,7 @@ private:
         return std::move(item);
     }
 
-    void open(Children& children, std::size_t at) const {
+    void open(Children& children, std::size_t at, bool by_sah) const {
         const Item opened = children.item[at];
         std::swap(children.item[at], children.item[--children.count]);
         if (!opened.is_range()) {
@@ -98,25 +99,27 @@ private:
             children.add(make_item(lower + 1));
             return;
         }
-        const Halves halves = splitter_.split(opened.range);
+        const Halves halves =
+            by_sah ? splitter_.split(opened.range) : splitter_.halve(opened.range);
         children.add(with_area({halves.lower, not_top, 0.0}));
         children.add(with_area({halves.upper, not_top, 0.0}));
     }
 
-    [[nodiscard]] Children open_all(Item&& item) const {
+    [[nodiscard]] Children open_all(Item&& item, int depth) const {
+        const bool by_sah = depth < max_sah_depth;
+        const auto extent = [&](const Item& child) {
+            if (!child.can_open()) return -1.0;
+            return by_sah ? child.area : static_cast<double>(child.range.size());
+        };
         Children children;
         children.add(std::move(item));
-        while (children.count < wide_width) {
-            std::size_t largest = wide_width;
-            for (std::size_t at = 0; at < children.count; ++at) {
-                if (!children.item[at].can_open()) continue;
-                if (largest == wide_width ||
-                    children.item[at].area > children.item[largest].area) {
-                    largest = at;
-                }
+        while (children.count > 0 && children.count < wide_width) {
+            std::size_t largest = 0;
+            for (std::size_t at = 1; at < children.count; ++at) {
+                if (extent(children.item[at]) > extent(children.item[largest])) largest = at;
             }
-            if (largest == wide_width) break;
-            open(children, largest);
+            if (!children.item[largest].can_open()) break;
+            open(children, largest, by_sah);
         }
         return children;
     }
@@ -133,54 +136,55 @@ private:
         return WideChild::make_leaf(first, count);
     }
 
-    std::uint32_t grow_node(Part& part, Item&& item) {
+    std::uint32_t grow_node(Part& part, Item&& item, int depth) {
         const auto index = static_cast<std::uint32_t>(part.nodes.size());
         part.nodes.push_back(make_empty_wide_node());
-        const Children children = open_all(std::move(item));
+        const Children children = open_all(std::move(item), depth);
         std::vector<std::pair<std::size_t, const Item*>> tasks;
         for (std::size_t slot = 0; slot < children.count; ++slot) {
             const Item& child = children.item[slot];
             const Aabb box = to_aabb(child.range.box);
-            part.nodes[index].set(slot, box, WideChild{});
+            part.nodes[index].set(slot, box, WideChild::make_empty());
             if (child.is_range() && child.range.size() <= max_leaf_size) {
                 part.nodes[index].child[slot] = grow_leaf(part, child.range);
             } else if (child.range.size() >= min_task_size) {
                 tasks.emplace_back(slot, &child);
             } else {
-                const std::uint32_t node = grow_node(part, Item(child));
+                const std::uint32_t node = grow_node(part, Item(child), depth + 1);
                 part.nodes[index].child[slot] = WideChild::make_inner(node);
             }
         }
-        if (!tasks.empty()) grow_parts(part, index, tasks);
+        if (!tasks.empty()) grow_parts(part, index, tasks, depth + 1);
         return index;
     }
 
     // Large children at the same time, the largest first.
     void grow_parts(Part& part, std::uint32_t node,
-                    std::vector<std::pair<std::size_t, const Item*>>& tasks) {
+                    std::vector<std::pair<std::size_t, const Item*>>& tasks, int depth) {
         std::stable_sort(tasks.begin(), tasks.end(), [](const auto& a, const auto& b) {
             return a.second->range.size() > b.second->range.size();
         });
         const std::size_t first = part.links.size();
         for (const auto& [slot, item] : tasks) {
-            part.links.push_back({node, static_cast<std::uint32_t>(slot), std::make_unique<Part>()});
+            part.links.push_back(
+                {node, static_cast<std::uint32_t>(slot), std::make_unique<Part>()});
         }
         parallel_for_chunks(tasks.size(), 1, [&](std::size_t task, std::size_t /*end*/) {
-            grow_node(*part.links[first + task].part, Item(*tasks[task].second));
+            grow_node(*part.links[first + task].part, Item(*tasks[task].second), depth);
         });
     }
 
     const Top& top_;
     const Splitter& splitter_;
-    std::vector<std::uint32_t> ids_;
+    std::span<std::uint32_t> ids_;
     std::vector<Range> ranges_;  // of the top's nodes
 };
 
 }  // namespace
 
 GrownTree grow_wide(const Top& top, std::span<const Range> cells, const Splitter& splitter,
-                    std::size_t reference_count) {
-    return Grower(top, cells, splitter, reference_count).grow();
+                    std::span<std::uint32_t> ids) {
+    return Grower(top, cells, splitter, ids).grow();
 }
 
 }  // namespace coppice::wide

@@ -3,6 +3,7 @@
 #include "coppice/geom/triangle_mesh.h"
 #include "coppice/tree/wide_bvh.h"
 
+#include "build/wide/arena.h"
 #include "build/wide/splitter.h"
 #include "build/wide/top.h"
 
@@ -40,17 +41,18 @@ struct Part {
 /// down.
 struct GrownTree {
     Part root;
-    std::vector<std::uint32_t> ids;  ///< of the leaves' triangles
     Aabb bounds;
 };
 
 /// Builds the wide tree over cells that hang in a top: the top is collapsed into nodes of eight,
-/// and every cell is built on by binned object splits. Source: [Wald2007], [Tessari2023].
+/// and every cell is built on by binned object splits. `ids` receives the leaves' triangles.
+/// Source: [Wald2007], [Tessari2023].
 [[nodiscard]] GrownTree grow_wide(const Top& top, std::span<const Range> cells,
-                                  const Splitter& splitter, std::size_t reference_count);
+                                  const Splitter& splitter, std::span<std::uint32_t> ids);
 
-/// Puts the parts together in depth-first order and copies the triangles' corners into blocks.
-/// Throws Error(limit) if there are more nodes or blocks than a child can name.
-[[nodiscard]] WideBvh assemble(GrownTree&& grown, TriangleMeshView mesh);
+/// Puts the parts together in depth-first order and copies the triangles' corners into blocks. The
+/// tree takes the place of the references in the arena. Throws Error(limit) if there are more nodes
+/// or blocks than a child can name.
+[[nodiscard]] WideBvh assemble(GrownTree&& grown, Arena&& arena, TriangleMeshView mesh);
 
 }  // namespace coppice::wide

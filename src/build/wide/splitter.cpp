@@ -121,19 +121,20 @@ ObjectSplit Splitter::find_in_chunks(const Range& range, const BinMapping& mappi
     return kernels_.find_split(bins, mapping.bin_count, costs_);
 }
 
+Halves Splitter::halve(const Range& range) const {
+    const std::uint32_t middle = range.begin + (range.size() + 1) / 2;
+    return {measured(range.begin, middle, range.buffer), measured(middle, range.end, range.buffer)};
+}
+
 Halves Splitter::divide(const Range& range, const ObjectSplit& split,
                         const BinMapping& mapping) const {
-    if (split.bin == 0) {
-        const std::uint32_t middle = range.begin + (range.size() + 1) / 2;
-        return {measured(range.begin, middle, range.buffer),
-                measured(middle, range.end, range.buffer)};
-    }
+    if (split.bin == 0) return halve(range);
     if (range.size() >= parallel_size) return divide_in_chunks(range, split, mapping);
     const auto references = this->references(range);
     // Weights of 1 sum up to the number without an error: there are not 2^24 of them.
-    const std::uint32_t lower_count =
-        costs_.whole_blocks ? static_cast<std::uint32_t>(split.lower_weight)
-                            : count_lower(references, split, mapping);
+    const std::uint32_t lower_count = costs_.whole_blocks
+                                          ? static_cast<std::uint32_t>(split.lower_weight)
+                                          : count_lower(references, split, mapping);
     Halves halves = halves_of(range, split, lower_count);
     Reference* out = buffers_[halves.lower.buffer].data();
     kernels_.partition(references, mapping, split.axis, split.bin, out + halves.lower.begin,

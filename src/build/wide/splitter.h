@@ -40,15 +40,17 @@ public:
     }
 
     /// A range with its box and centroids found.
-    [[nodiscard]] Range measured(std::uint32_t begin, std::uint32_t end,
-                                 std::uint8_t buffer) const;
+    [[nodiscard]] Range measured(std::uint32_t begin, std::uint32_t end, std::uint8_t buffer) const;
 
     /// The cheapest split of a range and the mapping it is meant in; bin 0 if there is none.
     [[nodiscard]] ObjectSplit find(const Range& range, BinMapping& mapping) const;
 
-    /// Divides a range at a split; without one, in the middle of the range as it stands.
+    /// Divides a range at a split; without one, like halve().
     [[nodiscard]] Halves divide(const Range& range, const ObjectSplit& split,
                                 const BinMapping& mapping) const;
+
+    /// Divides a range in the middle as it stands.
+    [[nodiscard]] Halves halve(const Range& range) const;
 
     /// find() and divide().
     [[nodiscard]] Halves split(const Range& range) const;

@@ -24,6 +24,7 @@ struct TopNode {
 struct Top {
     std::vector<TopNode> nodes{TopNode{}};
     std::uint32_t cell_count = 1;
+    Box8 centroids = Box8::make_empty();  ///< the range of those it was chosen from
 };
 
 /// A top over sampled references, whose weights say how many primitives each stands for: split
