@@ -3,6 +3,7 @@
 // The whole public interface of coppice.
 
 #include "coppice/base/error.h"
+#include "coppice/base/memory_meter.h"
 #include "coppice/base/parallel.h"
 #include "coppice/base/rng.h"
 #include "coppice/base/timer.h"

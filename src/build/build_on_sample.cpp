@@ -14,7 +14,7 @@
 namespace coppice {
 
 KdTree build_on_sample(PrimitiveSetView primitives, const Sample& sample,
-                       const BuildOptions& options) {
+                       const BuildOptions& options, MemoryMeter* meter) {
     const Aabb box = bounds_of_all(primitives);
     std::vector<Fragment> fragments;
     fragments.reserve(sample.ids.size());
@@ -23,7 +23,7 @@ KdTree build_on_sample(PrimitiveSetView primitives, const Sample& sample,
 
     const StopRule stop{options.split.max_leaf, options.split.bad_refines, options.split.max_depth,
                         SplitSearch::first_offer};
-    Subtree tree = KdBuilder(primitives, options, stop).build(std::move(fragments), box, 0);
+    Subtree tree = KdBuilder(primitives, options, stop, meter).build(std::move(fragments), box, 0);
     return {std::move(tree.nodes), std::move(tree.references), box};
 }
 

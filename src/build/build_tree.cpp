@@ -1,14 +1,16 @@
 #include "coppice/build/build_tree.h"
 
 #include "coppice/base/error.h"
+#include "coppice/base/memory_meter.h"
 #include "coppice/base/parallel.h"
-#include "coppice/base/timer.h"
 #include "coppice/build/build_on_sample.h"
 #include "coppice/build/draw_sample.h"
 #include "coppice/build/empty_leaves.h"
 #include "coppice/build/refill.h"
 #include "coppice/build/refine.h"
 #include "coppice/cost/measure.h"
+
+#include "build/stage_clock.h"
 
 #include <fmt/format.h>
 
@@ -18,13 +20,6 @@
 
 namespace coppice {
 namespace {
-
-// Seconds since the last lap.
-double lap(Timer& timer) {
-    const double seconds = timer.seconds();
-    timer.restart();
-    return seconds;
-}
 
 bool is_finite(const Aabb& box) {
     const auto is_finite_at = [&](Axis axis) {
@@ -51,21 +46,29 @@ void require_finite_boxes(PrimitiveSetView primitives) {
 }
 
 KdTree run_pipeline(PrimitiveSetView primitives, const BuildOptions& options, BuildReport& report) {
-    Timer timer;
-    StageSeconds& seconds = report.seconds;
+    StageClock clock;
+    StageReports& stages = report.stages;
+    MemoryMeter meter;
 
     const Sample sample = draw_sample(primitives, options.sample);
-    seconds.sample = lap(timer);
-    KdTree sampled = build_on_sample(primitives, sample, options);
-    seconds.build = lap(timer);
+    const MeteredBytes sample_bytes(&meter, sample.ids);
+    stages.sample = clock.lap(sample.ids.size());
+    KdTree sampled = build_on_sample(primitives, sample, options, &meter);
+    MeteredBytes tree_bytes(&meter, sampled.byte_count());
+    stages.build = clock.lap(sampled.nodes().size());
     Skeleton skeleton = empty_leaves(std::move(sampled));
-    seconds.empty = lap(timer);
-    KdTree refilled = refill(std::move(skeleton), primitives, options);
-    seconds.refill = lap(timer);
-    KdTree tree = refine(std::move(refilled), primitives, options);
-    seconds.refine = lap(timer);
+    tree_bytes = {&meter, skeleton.nodes().size_bytes()};
+    stages.empty = clock.lap(skeleton.nodes().size());
+    KdTree refilled = refill(std::move(skeleton), primitives, options, &meter);
+    tree_bytes = {&meter, refilled.byte_count()};
+    stages.refill = clock.lap(refilled.references().size());
+    KdTree tree = refine(std::move(refilled), primitives, options, &meter);
+    tree_bytes = {&meter, tree.byte_count()};
+    stages.refine = clock.lap(tree.references().size());
 
     report.sample_count = static_cast<std::uint32_t>(sample.ids.size());
+    report.tree_bytes = tree.byte_count();
+    report.peak_bytes = meter.peak_bytes();
     return tree;
 }
 

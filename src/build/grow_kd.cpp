@@ -39,12 +39,14 @@ float begin_of(std::span<const Fragment> fragments, Axis axis, PlanarSide from) 
 
 class Grower {
 public:
-    Grower(const KdTree& tree, PrimitiveSetView primitives, const BuildOptions& options)
+    Grower(const KdTree& tree, PrimitiveSetView primitives, const BuildOptions& options,
+           MemoryMeter* meter)
         : nodes_(tree.nodes()),
           primitives_(primitives),
           options_(options),
-          builder_(primitives, options,
-                   {0, 1, options.split.max_depth, SplitSearch::until_it_pays}) {}
+          builder_(primitives, options, {0, 1, options.split.max_depth, SplitSearch::until_it_pays},
+                   meter),
+          meter_(meter) {}
 
     // A node of the old tree with all its fragments.
     struct Node {
@@ -52,12 +54,13 @@ public:
         std::vector<Fragment> fragments;
         Aabb box;
         int depth;
+        MeteredBytes bytes;  // of the fragments
     };
 
     void grow(Subtree& grown, std::uint32_t slot, Node node) const {
         const KdNode& old = nodes_[node.index];
         if (old.is_leaf() || is_noise(node)) {
-            splice(grown, slot, builder_.build(std::move(node.fragments), node.box, node.depth));
+            splice(grown, slot, build_anew(std::move(node)));
         } else if (is_falsely_empty(old.lower_child())) {
             revise(grown, slot, std::move(node), PlanarSide::below);
         } else if (is_falsely_empty(old.upper_child())) {
@@ -68,6 +71,11 @@ public:
     }
 
 private:
+    [[nodiscard]] Subtree build_anew(Node node) const {
+        node.bytes.release();  // from here on the builder's
+        return builder_.build(std::move(node.fragments), node.box, node.depth);
+    }
+
     [[nodiscard]] bool is_noise(const Node& node) const {
         const double rate = options_.sample.rate;
         return rate < 1.0 &&
@@ -98,7 +106,9 @@ private:
             if (keeps_its_promise(old_cost, node.fragments.size())) {
                 split(grown, slot, std::move(node));
             } else {
-                grow(grown, slot, {rest, std::move(node.fragments), node.box, node.depth});
+                grow(
+                    grown, slot,
+                    {rest, std::move(node.fragments), node.box, node.depth, std::move(node.bytes)});
             }
             return;
         }
@@ -111,7 +121,7 @@ private:
             make_inner(grown, slot, plane, is_empty_below ? PlanarSide::above : PlanarSide::below);
         const Aabb rest_box = is_empty_below ? above(node.box, plane) : below(node.box, plane);
         grow(grown, is_empty_below ? lower + 1 : lower,
-             {rest, std::move(node.fragments), rest_box, node.depth + 1});
+             {rest, std::move(node.fragments), rest_box, node.depth + 1, std::move(node.bytes)});
     }
 
     // Splits as the old tree does.
@@ -120,33 +130,41 @@ private:
         Partition sides = partition(node.fragments, old.plane(), old.planar_side(), primitives_,
                                     options_.split.clipping);
         const std::size_t fragment_count = node.fragments.size();
+        MeteredBytes below_bytes(meter_, sides.below);
+        MeteredBytes above_bytes(meter_, sides.above);
+        node.bytes.release();
         node.fragments = {};  // freed before the recursion, which needs the memory
         build_children(
             grown, make_inner(grown, slot, old.plane(), old.planar_side()), fragment_count,
             [&](Subtree& part, std::uint32_t lower) {
                 grow(part, lower,
                      {old.lower_child(), std::move(sides.below), below(node.box, old.plane()),
-                      node.depth + 1});
+                      node.depth + 1, std::move(below_bytes)});
             },
             [&](Subtree& part, std::uint32_t upper) {
                 grow(part, upper,
                      {old.upper_child(), std::move(sides.above), above(node.box, old.plane()),
-                      node.depth + 1});
-            });
+                      node.depth + 1, std::move(above_bytes)});
+            },
+            meter_);
     }
 
     std::span<const KdNode> nodes_;
     PrimitiveSetView primitives_;
     const BuildOptions& options_;
     KdBuilder builder_;
+    MemoryMeter* meter_;
 };
 
 }  // namespace
 
-KdTree grow_kd(KdTree&& tree, PrimitiveSetView primitives, const BuildOptions& options) {
+KdTree grow_kd(KdTree&& tree, PrimitiveSetView primitives, const BuildOptions& options,
+               MemoryMeter* meter) {
     Subtree grown;
-    Grower(tree, primitives, options)
-        .grow(grown, 0, {0, whole_fragments(primitives), tree.bounds(), 0});
+    std::vector<Fragment> all = whole_fragments(primitives);
+    MeteredBytes bytes(meter, all);
+    Grower(tree, primitives, options, meter)
+        .grow(grown, 0, {0, std::move(all), tree.bounds(), 0, std::move(bytes)});
     const Aabb box = tree.bounds();
     tree = KdTree{};
     return {std::move(grown.nodes), std::move(grown.references), box};

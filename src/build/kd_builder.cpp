@@ -6,16 +6,19 @@
 #include <utility>
 
 namespace coppice {
-KdBuilder::KdBuilder(PrimitiveSetView primitives, const BuildOptions& options, const StopRule& stop)
+KdBuilder::KdBuilder(PrimitiveSetView primitives, const BuildOptions& options, const StopRule& stop,
+                     MemoryMeter* meter)
     : primitives_(primitives),
       finder_(find_split_finder(options.split.rule)),
       cost_(options.cost),
       clipping_(options.split.clipping),
-      stop_(stop) {}
+      stop_(stop),
+      meter_(meter) {}
 
 Subtree KdBuilder::build(std::vector<Fragment> fragments, const Aabb& box, int depth) const {
     Subtree tree;
-    build_into(tree, 0, {std::move(fragments), box, depth, 0});
+    MeteredBytes bytes(meter_, fragments);
+    build_into(tree, 0, {std::move(fragments), box, depth, 0, std::move(bytes)});
     return tree;
 }
 
@@ -46,20 +49,26 @@ void KdBuilder::build_into(Subtree& tree, std::uint32_t slot, Node node) const {
     Partition sides =
         partition(node.fragments, split->plane, split->planar_side, primitives_, clipping_);
     const std::size_t fragment_count = node.fragments.size();
+    MeteredBytes below_bytes(meter_, sides.below);
+    MeteredBytes above_bytes(meter_, sides.above);
+    node.bytes.release();
     node.fragments = {};  // freed before the recursion, which needs the memory
     const auto build_child = [&](Subtree& part, std::uint32_t part_slot,
-                                 std::vector<Fragment>& fragments, const Aabb& box) {
-        build_into(part, part_slot,
-                   {std::move(fragments), box, node.depth + 1, node.bad_refines_so_far});
+                                 std::vector<Fragment>& fragments, const Aabb& box,
+                                 MeteredBytes& bytes) {
+        build_into(
+            part, part_slot,
+            {std::move(fragments), box, node.depth + 1, node.bad_refines_so_far, std::move(bytes)});
     };
     build_children(
         tree, make_inner(tree, slot, split->plane, split->planar_side), fragment_count,
         [&](Subtree& part, std::uint32_t lower) {
-            build_child(part, lower, sides.below, below(node.box, split->plane));
+            build_child(part, lower, sides.below, below(node.box, split->plane), below_bytes);
         },
         [&](Subtree& part, std::uint32_t upper) {
-            build_child(part, upper, sides.above, above(node.box, split->plane));
-        });
+            build_child(part, upper, sides.above, above(node.box, split->plane), above_bytes);
+        },
+        meter_);
 }
 
 }  // namespace coppice

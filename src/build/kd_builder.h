@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/base/memory_meter.h"
 #include "coppice/build/build_options.h"
 #include "coppice/build/split_finder.h"
 #include "coppice/geom/primitive_set.h"
@@ -31,7 +32,8 @@ struct StopRule {
 /// the number of threads.
 class KdBuilder {
 public:
-    KdBuilder(PrimitiveSetView primitives, const BuildOptions& options, const StopRule& stop);
+    KdBuilder(PrimitiveSetView primitives, const BuildOptions& options, const StopRule& stop,
+              MemoryMeter* meter = nullptr);
 
     /// The subtree of a node with these fragments, box and depth.
     [[nodiscard]] Subtree build(std::vector<Fragment> fragments, const Aabb& box, int depth) const;
@@ -42,6 +44,7 @@ private:
         Aabb box;
         int depth;
         int bad_refines_so_far;
+        MeteredBytes bytes;  // of the fragments
     };
 
     [[nodiscard]] std::optional<Split> find_split(Node& node) const;
@@ -52,6 +55,7 @@ private:
     SahCostModel cost_;
     Clipping clipping_;
     StopRule stop_;
+    MemoryMeter* meter_;
 };
 
 }  // namespace coppice

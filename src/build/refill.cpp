@@ -22,12 +22,13 @@ namespace {
 
 class Refill {
 public:
-    Refill(std::vector<KdNode>& nodes, PrimitiveSetView primitives, Clipping clipping)
-        : nodes_(nodes), primitives_(primitives), clipping_(clipping) {}
+    Refill(std::vector<KdNode>& nodes, PrimitiveSetView primitives, Clipping clipping,
+           MemoryMeter* meter)
+        : nodes_(nodes), primitives_(primitives), clipping_(clipping), meter_(meter) {}
 
     // Fills all leaves below a node. Appends their references to `references` in depth-first
     // order; leaves get their counts, and their first reference in place_references().
-    void fill(std::uint32_t index, std::vector<Fragment> fragments,
+    void fill(std::uint32_t index, std::vector<Fragment> fragments, MeteredBytes bytes,
               std::vector<std::uint32_t>& references) {
         const KdNode node = nodes_[index];
         if (node.is_leaf()) {
@@ -38,15 +39,25 @@ public:
             partition(fragments, node.plane(), node.planar_side(), primitives_, clipping_);
         const bool in_parallel = fragments.size() >= parallel_fragment_count;
         fragments = {};
+        bytes.release();
+        MeteredBytes below_bytes(meter_, sides.below);
+        MeteredBytes above_bytes(meter_, sides.above);
         if (!in_parallel) {
-            fill(node.lower_child(), std::move(sides.below), references);
-            fill(node.upper_child(), std::move(sides.above), references);
+            fill(node.lower_child(), std::move(sides.below), std::move(below_bytes), references);
+            fill(node.upper_child(), std::move(sides.above), std::move(above_bytes), references);
             return;
         }
         std::vector<std::uint32_t> upper_references;
         parallel_invoke(
-            [&] { fill(node.lower_child(), std::move(sides.below), references); },
-            [&] { fill(node.upper_child(), std::move(sides.above), upper_references); });
+            [&] {
+                fill(node.lower_child(), std::move(sides.below), std::move(below_bytes),
+                     references);
+            },
+            [&] {
+                fill(node.upper_child(), std::move(sides.above), std::move(above_bytes),
+                     upper_references);
+            });
+        const MeteredBytes upper_bytes(meter_, upper_references);
         references.insert(references.end(), upper_references.begin(), upper_references.end());
     }
 
@@ -67,6 +78,7 @@ private:
     std::vector<KdNode>& nodes_;
     PrimitiveSetView primitives_;
     Clipping clipping_;
+    MemoryMeter* meter_;
 };
 
 // Gives every leaf its range, now that all counts are known.
@@ -90,12 +102,15 @@ void place_references(std::vector<KdNode>& nodes, std::uint64_t reference_count)
 
 }  // namespace
 
-KdTree refill(Skeleton&& skeleton, PrimitiveSetView primitives, const BuildOptions& options) {
+KdTree refill(Skeleton&& skeleton, PrimitiveSetView primitives, const BuildOptions& options,
+              MemoryMeter* meter) {
     const Aabb box = skeleton.bounds();
     std::vector<KdNode> nodes = std::move(skeleton).release_nodes();
     std::vector<std::uint32_t> references;
-    Refill(nodes, primitives, options.split.clipping)
-        .fill(0, whole_fragments(primitives), references);
+    std::vector<Fragment> all = whole_fragments(primitives);
+    MeteredBytes bytes(meter, all);
+    Refill(nodes, primitives, options.split.clipping, meter)
+        .fill(0, std::move(all), std::move(bytes), references);
     place_references(nodes, references.size());
     return {std::move(nodes), std::move(references), box};
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/base/memory_meter.h"
 #include "coppice/base/parallel.h"
 #include "coppice/build/split_finder.h"
 #include "coppice/geom/aabb.h"
@@ -16,6 +17,10 @@ namespace coppice {
 struct Subtree {
     std::vector<KdNode> nodes{KdNode{}};
     std::vector<std::uint32_t> references;
+
+    [[nodiscard]] std::uint64_t capacity_bytes() const noexcept {
+        return nodes.capacity() * sizeof(KdNode) + references.capacity() * sizeof(std::uint32_t);
+    }
 };
 
 /// Work on fewer fragments than this is not worth a task of its own.
@@ -34,10 +39,11 @@ void splice(Subtree& tree, std::uint32_t slot, const Subtree& part);
 
 /// Builds both children of a node, the lower at `lower_slot` and the upper after it, with
 /// callables (Subtree&, slot): in place if there are few fragments, else in parallel and spliced.
-/// The result is the same.
+/// The result is the same. The meter is told of subtrees that wait to be spliced.
 template <typename BuildLower, typename BuildUpper>
 void build_children(Subtree& tree, std::uint32_t lower_slot, std::size_t fragment_count,
-                    BuildLower&& build_lower, BuildUpper&& build_upper) {
+                    BuildLower&& build_lower, BuildUpper&& build_upper,
+                    MemoryMeter* meter = nullptr) {
     if (fragment_count < parallel_fragment_count) {
         build_lower(tree, lower_slot);
         build_upper(tree, lower_slot + 1);
@@ -45,7 +51,17 @@ void build_children(Subtree& tree, std::uint32_t lower_slot, std::size_t fragmen
     }
     Subtree lower;
     Subtree upper;
-    parallel_invoke([&] { build_lower(lower, 0U); }, [&] { build_upper(upper, 0U); });
+    MeteredBytes lower_bytes;
+    MeteredBytes upper_bytes;
+    parallel_invoke(
+        [&] {
+            build_lower(lower, 0U);
+            lower_bytes = {meter, lower.capacity_bytes()};
+        },
+        [&] {
+            build_upper(upper, 0U);
+            upper_bytes = {meter, upper.capacity_bytes()};
+        });
     splice(tree, lower_slot, lower);
     splice(tree, lower_slot + 1, upper);
 }
