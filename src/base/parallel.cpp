@@ -35,7 +35,7 @@ void parallel_for_chunks(std::size_t count, std::size_t chunk_size,
     });
 }
 
-void parallel_sort(std::span<float> values) {
+void parallel_sort(std::span<std::uint64_t> values) {
     tbb::parallel_sort(values.begin(), values.end());
 }
 

@@ -9,21 +9,45 @@
 #include "build/kd_builder.h"
 #include "build/partition.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace coppice {
+namespace {
+
+// Sums of multiples of 1/256 are exact in double: counts do not depend on the order of fragments,
+// and an empty side counts nothing.
+float rounded_weight(double weight) {
+    return static_cast<float>(std::max(256.0, std::round(256.0 * weight)) / 256.0);
+}
+
+// What the sampled primitive at an index counts.
+float weight_at(const Sample& sample, std::size_t index, Counting counting) {
+    if (counting == Counting::sampled) return 1.0F;
+    return rounded_weight(sample.weights.empty() ? 1.0 / sample.options.rate
+                                                 : sample.weights[index]);
+}
+
+StopRule stop_rule(const SplitOptions& split) {
+    if (split.stop == Stop::sah) return {0, 1, split.max_depth, SplitSearch::until_it_pays};
+    return {split.max_leaf, split.bad_refines, split.max_depth, SplitSearch::first_offer};
+}
+
+}  // namespace
 
 KdTree build_on_sample(PrimitiveSetView primitives, const Sample& sample,
                        const BuildOptions& options, MemoryMeter* meter) {
     const Aabb box = bounds_of_all(primitives);
     std::vector<Fragment> fragments;
     fragments.reserve(sample.ids.size());
-    for (const std::uint32_t id : sample.ids)
-        fragments.push_back({primitives.bounds(id), id});
-
-    const StopRule stop{options.split.max_leaf, options.split.bad_refines, options.split.max_depth,
-                        SplitSearch::first_offer};
-    Subtree tree = KdBuilder(primitives, options, stop, meter).build(std::move(fragments), box, 0);
+    for (std::size_t i = 0; i < sample.ids.size(); ++i) {
+        const std::uint32_t id = sample.ids[i];
+        fragments.push_back(
+            {primitives.bounds(id), id, weight_at(sample, i, options.split.counting)});
+    }
+    Subtree tree = KdBuilder(primitives, options, stop_rule(options.split), meter)
+                       .build(std::move(fragments), box, 0);
     return {std::move(tree.nodes), std::move(tree.references), box};
 }
 

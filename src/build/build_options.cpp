@@ -35,6 +35,28 @@ const char* name_of(Clipping clipping) noexcept {
     return clipping == Clipping::perfect ? "perfect" : "bounding_box";
 }
 
+const char* name_of(Counting counting) noexcept {
+    return counting == Counting::sampled ? "sampled" : "expected";
+}
+
+const char* name_of(Stop stop) noexcept {
+    return stop == Stop::limits ? "limits" : "sah";
+}
+
+const char* name_of(WidePreset preset) noexcept {
+    switch (preset) {
+        case WidePreset::automatic:
+            return "automatic";
+        case WidePreset::fast:
+            return "fast";
+        case WidePreset::balanced:
+            return "balanced";
+        case WidePreset::quality:
+            return "quality";
+    }
+    return "unknown";
+}
+
 const char* name_of(Growth growth) noexcept {
     return growth == Growth::none ? "none" : "kd";
 }
@@ -49,9 +71,12 @@ void to_json(nlohmann::json& json, const BuildOptions& options) {
               {"max_depth", options.split.max_depth},
               {"max_leaf", options.split.max_leaf},
               {"bad_refines", options.split.bad_refines},
-              {"clipping", name_of(options.split.clipping)}}},
+              {"clipping", name_of(options.split.clipping)},
+              {"counting", name_of(options.split.counting)},
+              {"stop", name_of(options.split.stop)}}},
             {"growth", name_of(options.growth)},
             {"cost", options.cost},
+            {"wide", {{"preset", name_of(options.wide.preset)}}},
             {"threads", options.threads}};
 }
 

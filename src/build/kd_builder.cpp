@@ -24,12 +24,12 @@ Subtree KdBuilder::build(std::vector<Fragment> fragments, const Aabb& box, int d
 
 // The split of a node, or nothing if it is to be a leaf; counts a bad refine on the node's path.
 std::optional<Split> KdBuilder::find_split(Node& node) const {
-    const std::size_t count = node.fragments.size();
-    if (count == 0 || count <= stop_.max_leaf || node.depth >= stop_.max_depth ||
-        node.box.surface_area() == 0.0) {
+    if (node.fragments.empty() || node.depth >= stop_.max_depth || node.box.surface_area() == 0.0) {
         return std::nullopt;
     }
-    const double leaf_cost = cost_.leaf_cost(static_cast<double>(count));
+    const double weight = weight_of(node.fragments);
+    if (weight <= stop_.max_leaf) return std::nullopt;
+    const double leaf_cost = cost_.leaf_cost(weight);
     const double acceptable_cost = stop_.search == SplitSearch::until_it_pays
                                        ? leaf_cost
                                        : std::numeric_limits<double>::infinity();

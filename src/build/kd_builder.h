@@ -21,7 +21,7 @@ enum class SplitSearch {
 
 /// When a node is not split any further.
 struct StopRule {
-    std::uint32_t max_leaf;  ///< nodes of at most so many fragments are leaves; 0: only empty ones
+    std::uint32_t max_leaf;  ///< nodes of at most that weight are leaves; 0: only empty ones
     int bad_refines;         ///< as in SplitOptions; 1: no split that does not pay
     int max_depth;
     SplitSearch search;

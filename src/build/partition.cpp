@@ -24,8 +24,8 @@ void divide(const Fragment& fragment, Plane plane, PrimitiveSetView primitives, 
             upper = clipped_upper;
         }
     }
-    if (!lower.is_empty()) sides.below.push_back({lower, fragment.id});
-    if (!upper.is_empty()) sides.above.push_back({upper, fragment.id});
+    if (!lower.is_empty()) sides.below.push_back({lower, fragment.id, fragment.weight});
+    if (!upper.is_empty()) sides.above.push_back({upper, fragment.id, fragment.weight});
 }
 
 }  // namespace

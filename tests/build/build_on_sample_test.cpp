@@ -160,5 +160,28 @@ TEST(BuildOnSample, LeavesScenesWithoutAreaWhole) {
     EXPECT_EQ(build_on(point, {.split = {.max_leaf = 1}}).nodes().size(), 1U);
 }
 
+TEST(BuildOnSample, CountsWhatSampledPrimitivesStandFor) {
+    const TriangleMesh mesh = make_soup(2000, 0.05F, 4);
+    BuildOptions options{.sample = {.rate = 0.1}, .split = {.max_leaf = 200}};
+    EXPECT_EQ(build_on(mesh, options).nodes().size(), 1U) << "200 sampled ones";
+    options.split.counting = Counting::expected;
+    EXPECT_GT(build_on(mesh, options).nodes().size(), 1U) << "they stand for 2000";
+
+    Sample sample = draw_sample(mesh.view(), options.sample);
+    sample.weights.assign(sample.ids.size(), 0.25F);  // no primitive counts less than one
+    EXPECT_EQ(build_on_sample(mesh.view(), sample, options).nodes().size(), 1U);
+    sample.weights.assign(sample.ids.size(), 10.0F);
+    EXPECT_TRUE(build_on_sample(mesh.view(), sample, options) == build_on(mesh, options));
+}
+
+TEST(BuildOnSample, GoesOnUntilNoSplitPaysIfAsked) {
+    const TriangleMesh mesh = make_soup(500, 0.05F, 4);
+    const KdTree limited = build_on(mesh, {.split = {.max_leaf = 500}});
+    const KdTree full = build_on(mesh, {.split = {.max_leaf = 500, .stop = Stop::sah}});
+    EXPECT_EQ(limited.nodes().size(), 1U);
+    EXPECT_GT(full.nodes().size(), 100U);
+    EXPECT_TRUE(is_sound(full, mesh.view()));
+}
+
 }  // namespace
 }  // namespace coppice::test

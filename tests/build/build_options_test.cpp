@@ -62,9 +62,12 @@ TEST(BuildOptions, AreSerializedUnderTheirNames) {
                                          .max_depth = 20,
                                          .max_leaf = 4,
                                          .bad_refines = 2,
-                                         .clipping = Clipping::bounding_box},
+                                         .clipping = Clipping::bounding_box,
+                                         .counting = Counting::expected,
+                                         .stop = Stop::sah},
                                .growth = Growth::none,
                                .cost = {.traversal = 15, .intersection = 20, .empty_bonus = 0.2},
+                               .wide = {.preset = WidePreset::quality},
                                .threads = 2};
     const nlohmann::json expected = {
         {"sample", {{"rate", 0.25}, {"sampler", "uniform"}, {"seed", 7}}},
@@ -73,9 +76,12 @@ TEST(BuildOptions, AreSerializedUnderTheirNames) {
           {"max_depth", 20},
           {"max_leaf", 4},
           {"bad_refines", 2},
-          {"clipping", "bounding_box"}}},
+          {"clipping", "bounding_box"},
+          {"counting", "expected"},
+          {"stop", "sah"}}},
         {"growth", "none"},
         {"cost", {{"traversal", 15.0}, {"intersection", 20.0}, {"empty_bonus", 0.2}}},
+        {"wide", {{"preset", "quality"}}},
         {"threads", 2}};
     EXPECT_EQ(nlohmann::json(options), expected);
 }
@@ -83,6 +89,14 @@ TEST(BuildOptions, AreSerializedUnderTheirNames) {
 TEST(BuildOptions, EnumeratorsHaveStableNames) {
     EXPECT_STREQ(name_of(Clipping::perfect), "perfect");
     EXPECT_STREQ(name_of(Clipping::bounding_box), "bounding_box");
+    EXPECT_STREQ(name_of(Counting::sampled), "sampled");
+    EXPECT_STREQ(name_of(Counting::expected), "expected");
+    EXPECT_STREQ(name_of(Stop::limits), "limits");
+    EXPECT_STREQ(name_of(Stop::sah), "sah");
+    EXPECT_STREQ(name_of(WidePreset::automatic), "automatic");
+    EXPECT_STREQ(name_of(WidePreset::fast), "fast");
+    EXPECT_STREQ(name_of(WidePreset::balanced), "balanced");
+    EXPECT_STREQ(name_of(WidePreset::quality), "quality");
     EXPECT_STREQ(name_of(Growth::none), "none");
     EXPECT_STREQ(name_of(Growth::kd), "kd");
 }
@@ -97,7 +111,10 @@ TEST(BuildOptions, DefaultsAreDocumented) {
     EXPECT_EQ(options.split.max_leaf, 32U);
     EXPECT_EQ(options.split.bad_refines, 3);
     EXPECT_EQ(options.split.clipping, Clipping::perfect);
+    EXPECT_EQ(options.split.counting, Counting::sampled);
+    EXPECT_EQ(options.split.stop, Stop::limits);
     EXPECT_EQ(options.growth, Growth::kd);
+    EXPECT_EQ(options.wide.preset, WidePreset::automatic);
     EXPECT_EQ(options.threads, 0);
 }
 

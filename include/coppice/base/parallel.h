@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 
@@ -21,7 +22,7 @@ void parallel_invoke(const std::function<void()>& first, const std::function<voi
 void parallel_for_chunks(std::size_t count, std::size_t chunk_size,
                          const std::function<void(std::size_t, std::size_t)>& body);
 
-/// Sorts numbers in ascending order, in parallel where there are many. No NaN.
-void parallel_sort(std::span<float> values);
+/// Sorts numbers in ascending order, in parallel where there are many.
+void parallel_sort(std::span<std::uint64_t> values);
 
 }  // namespace coppice

@@ -16,6 +16,18 @@ enum class Clipping {
     bounding_box  ///< the box cut at the plane
 };
 
+/// What a sampled primitive counts in the costs and leaf sizes of the sampled tree.
+enum class Counting {
+    sampled,  ///< one, as in the thesis
+    expected  ///< as many as it stands for: 1 / its probability to be drawn, in steps of 1/256
+};
+
+/// When a node of the sampled tree becomes a leaf.
+enum class Stop {
+    limits,  ///< at max_leaf primitives, or after bad_refines splits that do not pay
+    sah      ///< when no split on any axis costs less than the leaf
+};
+
 /// When and where the sampled tree is split. Source: [Tsiompikas2022] sec. 4.3.1.
 struct SplitOptions {
     std::string rule = "sah";     ///< a name of split_finder_registry()
@@ -24,6 +36,8 @@ struct SplitOptions {
     int bad_refines = 3;          ///< the split that would be the n-th on its path to cost more
                                   ///< than the leaf is refused; >= 1
     Clipping clipping = Clipping::perfect;
+    Counting counting = Counting::sampled;
+    Stop stop = Stop::limits;
 };
 
 /// How the refilled leaves go on.
@@ -32,12 +46,26 @@ enum class Growth {
     kd     ///< each is built on as a k-d tree until no split pays
 };
 
+/// How much a wide tree may cost to build.
+enum class WidePreset {
+    automatic,  ///< chosen from the scene
+    fast,       ///< least build time
+    balanced,   ///< between the two
+    quality     ///< least cost of the tree
+};
+
+/// How build_wide_bvh() goes about its work; k-d trees do not use it.
+struct WideOptions {
+    WidePreset preset = WidePreset::automatic;
+};
+
 /// Everything a build depends on, beside the primitives.
 struct BuildOptions {
     SampleOptions sample;
     SplitOptions split;
     Growth growth = Growth::kd;
     SahCostModel cost;
+    WideOptions wide;
     int threads = 0;  ///< at most so many; 0 = all the hardware has
 };
 
@@ -46,6 +74,15 @@ void check(const BuildOptions& options);
 
 /// The stable lower-case name, e.g. "bounding_box".
 [[nodiscard]] const char* name_of(Clipping clipping) noexcept;
+
+/// The stable lower-case name, e.g. "expected".
+[[nodiscard]] const char* name_of(Counting counting) noexcept;
+
+/// The stable lower-case name, e.g. "limits".
+[[nodiscard]] const char* name_of(Stop stop) noexcept;
+
+/// The stable lower-case name, e.g. "automatic".
+[[nodiscard]] const char* name_of(WidePreset preset) noexcept;
 
 /// The stable lower-case name, e.g. "kd".
 [[nodiscard]] const char* name_of(Growth growth) noexcept;

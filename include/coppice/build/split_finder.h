@@ -15,7 +15,10 @@ namespace coppice {
 struct Fragment {
     Aabb box;
     std::uint32_t id = 0;
+    float weight = 1.0F;  ///< how many primitives it stands for in costs; >= 1
 };
+
+static_assert(sizeof(Fragment) == 32);
 
 /// A plane to split a node at, where primitives in the plane go, and what the split costs.
 struct Split {
@@ -23,6 +26,9 @@ struct Split {
     PlanarSide planar_side = PlanarSide::below;
     double cost = 0.0;  ///< SahCostModel::split_cost() of it
 };
+
+/// The sum of the weights; exact, so that it does not depend on their order (see Counting).
+[[nodiscard]] double weight_of(std::span<const Fragment> fragments) noexcept;
 
 /// A node about to be split: its box (never without area) and its fragments (never none).
 struct SplitQuery {

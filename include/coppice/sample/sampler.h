@@ -20,7 +20,9 @@ struct SampleOptions {
 /// The primitives chosen: distinct ids, ascending.
 struct Sample {
     std::vector<std::uint32_t> ids;
-    SampleOptions options;  ///< what it was drawn with
+    SampleOptions options;       ///< what it was drawn with
+    std::vector<float> weights;  ///< of each id 1 / its probability to be drawn; none if all are
+                                 ///< alike: 1 / rate
 };
 
 /// Chooses `count` of the primitives. Runs once a build; stateless.

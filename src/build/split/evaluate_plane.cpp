@@ -17,16 +17,22 @@ Split PlaneEvaluator::evaluate(float position, const SplitCounts& counts) const 
     const double at = position;
     const double p_below = (cap_area_ + side_perimeter_ * (at - lower_)) * inverse_area_;
     const double p_above = (cap_area_ + side_perimeter_ * (upper_ - at)) * inverse_area_;
-    const auto cost_of = [&](std::size_t count_below, std::size_t count_above) {
-        return cost_.split_cost(p_below, static_cast<double>(count_below), p_above,
-                                static_cast<double>(count_above));
+    const auto cost_of = [&](double count_below, double count_above) {
+        return cost_.split_cost(p_below, count_below, p_above, count_above);
     };
     const Plane plane{axis_, position};
     const double cost_if_below = cost_of(counts.below + counts.in_plane, counts.above);
-    if (counts.in_plane == 0) return {plane, PlanarSide::below, cost_if_below};
+    if (counts.in_plane == 0.0) return {plane, PlanarSide::below, cost_if_below};
     const double cost_if_above = cost_of(counts.below, counts.above + counts.in_plane);
     return cost_if_above < cost_if_below ? Split{plane, PlanarSide::above, cost_if_above}
                                          : Split{plane, PlanarSide::below, cost_if_below};
+}
+
+double weight_of(std::span<const Fragment> fragments) noexcept {
+    double weight = 0.0;
+    for (const Fragment& fragment : fragments)
+        weight += fragment.weight;
+    return weight;
 }
 
 Split evaluate_plane(const SplitQuery& query, Plane plane) noexcept {
@@ -34,17 +40,17 @@ Split evaluate_plane(const SplitQuery& query, Plane plane) noexcept {
     for (const Fragment& fragment : query.fragments) {
         switch (relation_to(fragment.box, plane)) {
             case PlaneRelation::below:
-                ++counts.below;
+                counts.below += fragment.weight;
                 break;
             case PlaneRelation::above:
-                ++counts.above;
+                counts.above += fragment.weight;
                 break;
             case PlaneRelation::in_plane:
-                ++counts.in_plane;
+                counts.in_plane += fragment.weight;
                 break;
             case PlaneRelation::across:
-                ++counts.below;
-                ++counts.above;
+                counts.below += fragment.weight;
+                counts.above += fragment.weight;
                 break;
         }
     }

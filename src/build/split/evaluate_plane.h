@@ -6,12 +6,12 @@
 
 namespace coppice {
 
-/// How many fragments of a node lie where with respect to a plane. Those across it count on both
-/// sides.
+/// The weight of a node's fragments on either side of a plane and in it. Those across it count on
+/// both sides. Sums of weights are exact.
 struct SplitCounts {
-    std::size_t below = 0;
-    std::size_t above = 0;
-    std::size_t in_plane = 0;
+    double below = 0.0;
+    double above = 0.0;
+    double in_plane = 0.0;
 };
 
 /// Costs of planes perpendicular to one axis of one node; the areas are linear in the position.

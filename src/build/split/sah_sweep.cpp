@@ -11,6 +11,7 @@
 #include "coppice/base/parallel.h"
 
 #include "build/split/evaluate_plane.h"
+#include "build/split/sort_key.h"
 
 #include <algorithm>
 #include <limits>
@@ -19,11 +20,11 @@
 namespace coppice {
 namespace {
 
-// The positions of a node's events on one axis, each kind sorted.
+// The positions of a node's events on one axis with their weights, each kind sorted.
 struct Events {
-    std::vector<float> starts;
-    std::vector<float> ends;
-    std::vector<float> planars;
+    std::vector<std::uint64_t> starts;
+    std::vector<std::uint64_t> ends;
+    std::vector<std::uint64_t> planars;
 };
 
 Events sorted_events(std::span<const Fragment> fragments, Axis axis) {
@@ -34,10 +35,10 @@ Events sorted_events(std::span<const Fragment> fragments, Axis axis) {
         const float lower = fragment.box.lower[axis];
         const float upper = fragment.box.upper[axis];
         if (lower == upper) {
-            events.planars.push_back(lower);
+            events.planars.push_back(sort_key(lower, fragment.weight));
         } else {
-            events.starts.push_back(lower);
-            events.ends.push_back(upper);
+            events.starts.push_back(sort_key(lower, fragment.weight));
+            events.ends.push_back(sort_key(upper, fragment.weight));
         }
     }
     parallel_sort(events.starts);
@@ -46,25 +47,25 @@ Events sorted_events(std::span<const Fragment> fragments, Axis axis) {
     return events;
 }
 
-// Walks through the events of one kind: counts those passed.
+// Walks through the events of one kind.
 class EventCursor {
 public:
-    explicit EventCursor(std::span<const float> positions) noexcept : positions_(positions) {}
+    explicit EventCursor(std::span<const std::uint64_t> keys) noexcept : keys_(keys) {}
 
     [[nodiscard]] float next() const noexcept {
-        return passed_ < positions_.size() ? positions_[passed_] : Aabb::infinity;
+        return passed_ < keys_.size() ? position_of(keys_[passed_]) : Aabb::infinity;
     }
 
-    // Passes all events at `position`, the next of all kinds; returns how many.
-    std::size_t pass(float position) noexcept {
-        const std::size_t before = passed_;
-        while (passed_ < positions_.size() && positions_[passed_] == position)
-            ++passed_;
-        return passed_ - before;
+    // Passes all events at `position`, the next of all kinds; returns their weight.
+    double pass(float position) noexcept {
+        double weight = 0.0;
+        while (passed_ < keys_.size() && position_of(keys_[passed_]) == position)
+            weight += weight_of(keys_[passed_++]);
+        return weight;
     }
 
 private:
-    std::span<const float> positions_;
+    std::span<const std::uint64_t> keys_;
     std::size_t passed_ = 0;
 };
 
@@ -76,10 +77,9 @@ std::optional<Split> sweep_axis(const SplitQuery& query, Axis axis) {
     EventCursor planars(events.planars);
 
     std::optional<Split> best;
-    SplitCounts counts{0, query.fragments.size(), 0};
+    SplitCounts counts{0.0, weight_of(query.fragments), 0.0};
     for (;;) {
-        // Never -0: which of equal zeros comes first depends on how the sort was divided.
-        const float position = std::min({starts.next(), ends.next(), planars.next()}) + 0.0F;
+        const float position = std::min({starts.next(), ends.next(), planars.next()});
         if (position == Aabb::infinity) return best;
         // At the plane: what ends here is below it, what starts here is above.
         counts.above -= ends.pass(position);

@@ -1,0 +1,86 @@
+#include "coppice/build/method.h"
+
+#include "coppice/base/error.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <vector>
+
+namespace coppice {
+namespace {
+
+// A k-d tree built from all primitives until no split pays.
+BuildOptions direct(const char* rule) {
+    return {.split = {.rule = rule, .stop = Stop::sah}, .growth = Growth::none};
+}
+
+BuildOptions exact() {
+    return direct("sah");
+}
+
+BuildOptions binned() {
+    return direct("sah");
+}
+
+BuildOptions sampled() {
+    return {.sample = {.rate = 0.01},
+            .split = {.rule = "sah", .max_leaf = 64, .bad_refines = 1},
+            .growth = Growth::kd};
+}
+
+BuildOptions subsampled() {
+    return direct("sah");
+}
+
+BuildOptions adaptive() {
+    return direct("sah");
+}
+
+BuildOptions sweep() {
+    return {.growth = Growth::none};
+}
+
+template <WidePreset preset>
+BuildOptions wide() {
+    return {.wide = {.preset = preset}};
+}
+
+constexpr std::array methods{
+    Method{"exact", "k-d tree, every plane of all primitives considered: the reference for quality",
+           TreeKind::kd, exact},
+    Method{"binned", "k-d tree, planes from bins, moved to the best near by", TreeKind::kd, binned},
+    Method{"sampled", "k-d tree, upper levels from a sample of 1 %, built on with all primitives",
+           TreeKind::kd, sampled},
+    Method{"subsampled", "k-d tree, each plane from a sample of its node", TreeKind::kd,
+           subsampled},
+    Method{"adaptive", "k-d tree, 8 uniform planes and 8 where the cost changes most", TreeKind::kd,
+           adaptive},
+    Method{"sweep", "k-d tree of the thesis: longest axis first, 32 primitives a leaf",
+           TreeKind::kd, sweep},
+    Method{"fast", "8-wide tree in the least time", TreeKind::wide, wide<WidePreset::fast>},
+    Method{"balanced", "8-wide tree between fast and quality", TreeKind::wide,
+           wide<WidePreset::balanced>},
+    Method{"quality", "8-wide tree for many rays", TreeKind::wide, wide<WidePreset::quality>},
+    Method{"auto", "8-wide tree, one of the three above", TreeKind::wide,
+           wide<WidePreset::automatic>},
+};
+
+}  // namespace
+
+std::span<const Method> method_registry() {
+    return methods;
+}
+
+const Method& find_method(std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const Method& method : methods) {
+        if (method.name == name) return method;
+        names.push_back(method.name);
+    }
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("no method '{}'; there are: {}", name, fmt::join(names, ", ")));
+}
+
+}  // namespace coppice
