@@ -1,6 +1,7 @@
 #include "options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 
@@ -68,6 +69,34 @@ CLI::Option* add_list_option(CLI::App& command, const OptionText& text,
         ->default_str(text.default_text)
         ->allow_extra_args(false)
         ->take_all();
+}
+
+CLI::Option* add_name(CLI::App& command, const OptionText& text, std::string& value,
+                      const std::vector<std::string_view>& names) {
+    return add_text(command, text, value)
+        ->each([option = text.name, names](const std::string& given) {
+            require_name(option, given, names);
+        });
+}
+
+CLI::Option* add_names(CLI::App& command, const OptionText& text, std::vector<std::string>& value,
+                       const std::vector<std::string_view>& names) {
+    const auto read = [option = text.name, &value, names](const std::vector<std::string>& texts) {
+        value = parse_list(option, texts, fmt::format("{}", fmt::join(names, ",")));
+        for (const std::string& name : value) {
+            require_name(option, name, names);
+        }
+    };
+    return add_list_option(command, text, read);
+}
+
+CLI::Option* add_vector(CLI::App& command, const OptionText& text, std::optional<Vec3f>& value) {
+    const auto read = [option = text.name, &value](const std::string& given) {
+        value = parse_vector(option, given);
+    };
+    return command.add_option_function<std::string>(text.name, read, text.meaning)
+        ->type_name(text.placeholder)
+        ->default_str(text.default_text);
 }
 
 CLI::Option* add_switch(CLI::App& command, const std::string& name, const std::string& meaning,
