@@ -39,7 +39,7 @@ void add_who(CLI::App& parser, lab::BenchOptions& options) {
         if (is_there) options.peers.emplace_back(name);
     }
     add_names(parser,
-              {"--methods", "LIST", "Ours: " + lab::names_of(method_registry()),
+              {"--methods", "LIST", listing("Ours", names_in(method_registry())),
                fmt::format("{}", fmt::join(options.methods, ","))},
               options.methods, names_in(method_registry()));
     if (lab::peer_registry().empty()) {
@@ -52,7 +52,7 @@ void add_who(CLI::App& parser, lab::BenchOptions& options) {
         return;
     }
     add_names(parser,
-              {"--peers", "LIST", "Of Embree: " + lab::names_of(lab::peer_registry()),
+              {"--peers", "LIST", listing("Of Embree", names_in(lab::peer_registry())),
                fmt::format("{}", fmt::join(options.peers, ","))},
               options.peers, names_in(lab::peer_registry()));
 }

@@ -8,7 +8,6 @@
 #include "command.h"
 #include "interrupts.h"
 #include "lab/build_text.h"
-#include "lab/named.h"
 #include "lab/progress_line.h"
 #include "lab/scene_names.h"
 #include "options.h"
@@ -91,7 +90,8 @@ Command add_build(CLI::App& program) {
     const auto request = std::make_shared<Request>();
     add_scenes(*parser, request->scenes);
     add_name(*parser,
-             {"--method", "NAME", lab::names_of(method_registry()), std::string(default_method)},
+             {"--method", "NAME", listing("How it is built", names_in(method_registry())),
+              std::string(default_method)},
              request->method, names_in(method_registry()));
     parser
         ->add_option_function<std::string>(

@@ -42,6 +42,20 @@ public:
 
 }  // namespace
 
+std::string listing(std::string_view what, std::span<const std::string_view> names) {
+    constexpr std::size_t width = 68;
+    std::string text = fmt::format("{}:", what);
+    std::size_t line_length = text.size();
+    for (const std::string_view name : names) {
+        const bool is_last = &name == &names.back();
+        const std::string item = fmt::format("{}{}", name, is_last ? "" : ",");
+        const bool fits = line_length + 1 + item.size() <= width;
+        text += (fits ? " " : "\n") + item;
+        line_length = fits ? line_length + 1 + item.size() : item.size();
+    }
+    return text;
+}
+
 CLI::Option* add_text(CLI::App& command, const OptionText& text, std::string& value) {
     const auto read = [text, &value](const std::string& given) {
         if (given.empty()) throw UsageError(fmt::format("{}: the value is empty", text.name));

@@ -34,6 +34,10 @@ template <typename Entry>
     return names;
 }
 
+/// A meaning for OptionText that ends in a list of names: "what: a, b, c", in lines of at most 68
+/// characters.
+[[nodiscard]] std::string listing(std::string_view what, std::span<const std::string_view> names);
+
 /// An option with one text value, not empty.
 CLI::Option* add_text(CLI::App& command, const OptionText& text, std::string& value);
 

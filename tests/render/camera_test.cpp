@@ -67,8 +67,7 @@ TEST(FrameBox, LooksFromALittleAbove) {
 TEST(FrameBox, LooksAtTheLargestSide) {
     // A wall in the plane x = 0: the eye is in front of it and not beside it.
     const Camera camera = frame_box({{0.0F, 0.0F, 0.0F}, {0.1F, 5.0F, 10.0F}}, {}, 1.0);
-    EXPECT_GT(std::abs(camera.eye.x - camera.look_at.x),
-              std::abs(camera.eye.z - camera.look_at.z));
+    EXPECT_GT(std::abs(camera.eye.x - camera.look_at.x), std::abs(camera.eye.z - camera.look_at.z));
 }
 
 TEST(FrameBox, KeepsWhatIsWishedFor) {
