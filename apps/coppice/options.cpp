@@ -46,7 +46,7 @@ std::string listing(std::string_view what, std::span<const std::string_view> nam
     constexpr std::size_t width = 68;
     std::string text = fmt::format("{}:", what);
     std::size_t line_length = text.size();
-    for (const std::string_view name : names) {
+    for (const std::string_view& name : names) {
         const bool is_last = &name == &names.back();
         const std::string item = fmt::format("{}{}", name, is_last ? "" : ",");
         const bool fits = line_length + 1 + item.size() <= width;
