@@ -1,6 +1,7 @@
 // coppice build: one tree by one method, and the report of how it was built.
 
 #include "coppice/build/build_tree.h"
+#include "coppice/build/estimate.h"
 #include "coppice/build/method.h"
 #include "coppice/io/load_mesh.h"
 
@@ -62,8 +63,11 @@ void run_request(const Request& request, Output& output) {
         lab::ProgressLine progress(stderr);
         progress.show(names[i] + ": loading");
         const TriangleMesh mesh = load_mesh(files[i]);
-        progress.show(names[i] + ": building");
-        const BuildReport report = build(method, options, mesh);
+        progress.show(names[i] + ": estimating");
+        const Estimate estimate = estimate_kd_tree(mesh.view(), options);
+        progress.show(names[i] + ": building", estimate.seconds);
+        BuildReport report = build(method, options, mesh);
+        report.estimate = estimate;
         progress.clear();
         if (request.as_json) {
             scenes.push_back({{"scene", names[i]}, {"file", request.scenes[i]}});

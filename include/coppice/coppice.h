@@ -13,6 +13,7 @@
 #include "coppice/build/build_tree.h"
 #include "coppice/build/draw_sample.h"
 #include "coppice/build/empty_leaves.h"
+#include "coppice/build/estimate.h"
 #include "coppice/build/method.h"
 #include "coppice/build/refill.h"
 #include "coppice/build/refine.h"
