@@ -50,6 +50,12 @@ void require_finite_boxes(PrimitiveSetView primitives) {
                 fmt::format("primitive {} has no finite box", first_bad.load()));
 }
 
+// A tree of all primitives that was built until no split pays has nothing to gain from the later
+// stages: refilling gives back its leaves, and growing finds no split.
+bool is_complete(const Sample& sample, PrimitiveSetView primitives, const BuildOptions& options) {
+    return sample.ids.size() == primitives.size() && options.split.stop == Stop::sah;
+}
+
 KdTree run_pipeline(PrimitiveSetView primitives, const BuildOptions& options, BuildReport& report) {
     Timer timer;
     StageSeconds& seconds = report.seconds;
@@ -58,14 +64,14 @@ KdTree run_pipeline(PrimitiveSetView primitives, const BuildOptions& options, Bu
     seconds.sample = lap(timer);
     KdTree sampled = build_on_sample(primitives, sample, options);
     seconds.build = lap(timer);
+    report.sample_count = static_cast<std::uint32_t>(sample.ids.size());
+    if (is_complete(sample, primitives, options)) return sampled;
     Skeleton skeleton = empty_leaves(std::move(sampled));
     seconds.empty = lap(timer);
     KdTree refilled = refill(std::move(skeleton), primitives, options);
     seconds.refill = lap(timer);
     KdTree tree = refine(std::move(refilled), primitives, options);
     seconds.refine = lap(timer);
-
-    report.sample_count = static_cast<std::uint32_t>(sample.ids.size());
     return tree;
 }
 

@@ -10,7 +10,7 @@
 #include "coppice/tree/walk.h"
 
 #include "build/partition.h"
-#include "build/subtree.h"
+#include "build/tree_part.h"
 
 #include <fmt/format.h>
 
@@ -22,8 +22,8 @@ namespace {
 
 class Refill {
 public:
-    Refill(std::vector<KdNode>& nodes, PrimitiveSetView primitives, Clipping clipping)
-        : nodes_(nodes), primitives_(primitives), clipping_(clipping) {}
+    Refill(std::vector<KdNode>& nodes, const Division& division)
+        : nodes_(nodes), division_(division) {}
 
     // Fills all leaves below a node. Appends their references to `references` in depth-first
     // order; leaves get their counts, and their first reference in place_references().
@@ -34,8 +34,7 @@ public:
             fill_leaf(index, fragments, references);
             return;
         }
-        Partition sides =
-            partition(fragments, node.plane(), node.planar_side(), primitives_, clipping_);
+        Partition sides = partition(fragments, node.plane(), node.planar_side(), division_);
         const bool in_parallel = fragments.size() >= parallel_fragment_count;
         fragments = {};
         if (!in_parallel) {
@@ -65,8 +64,7 @@ private:
     }
 
     std::vector<KdNode>& nodes_;
-    PrimitiveSetView primitives_;
-    Clipping clipping_;
+    Division division_;
 };
 
 // Gives every leaf its range, now that all counts are known.
@@ -94,7 +92,7 @@ KdTree refill(Skeleton&& skeleton, PrimitiveSetView primitives, const BuildOptio
     const Aabb box = skeleton.bounds();
     std::vector<KdNode> nodes = std::move(skeleton).release_nodes();
     std::vector<std::uint32_t> references;
-    Refill(nodes, primitives, options.split.clipping)
+    Refill(nodes, {primitives, options.split.clipping})
         .fill(0, whole_fragments(primitives), references);
     place_references(nodes, references.size());
     return {std::move(nodes), std::move(references), box};
