@@ -45,6 +45,12 @@ void require_finite_boxes(PrimitiveSetView primitives) {
                 fmt::format("primitive {} has no finite box", first_bad.load()));
 }
 
+// A tree of all primitives that was built until no split pays has nothing to gain from the later
+// stages: refilling gives back its leaves, and growing finds no split.
+bool is_complete(const Sample& sample, PrimitiveSetView primitives, const BuildOptions& options) {
+    return sample.ids.size() == primitives.size() && options.split.stop == Stop::sah;
+}
+
 KdTree run_pipeline(PrimitiveSetView primitives, const BuildOptions& options, BuildReport& report) {
     StageClock clock;
     StageReports& stages = report.stages;
@@ -57,6 +63,9 @@ KdTree run_pipeline(PrimitiveSetView primitives, const BuildOptions& options, Bu
     KdTree sampled = build_on_sample(primitives, sample, options, &meter);
     MeteredBytes tree_bytes(&meter, sampled.byte_count());
     stages.build = clock.lap(sampled.nodes().size());
+    report.sample_count = static_cast<std::uint32_t>(sample.ids.size());
+    report.peak_bytes = meter.peak_bytes();
+    if (is_complete(sample, primitives, options)) return sampled;
     Skeleton skeleton = empty_leaves(std::move(sampled));
     tree_bytes = {&meter, skeleton.nodes().size_bytes()};
     stages.empty = clock.lap(skeleton.nodes().size());
@@ -66,9 +75,6 @@ KdTree run_pipeline(PrimitiveSetView primitives, const BuildOptions& options, Bu
     KdTree tree = refine(std::move(refilled), primitives, options, &meter);
     tree_bytes = {&meter, tree.byte_count()};
     stages.refine = clock.lap(tree.references().size());
-
-    report.sample_count = static_cast<std::uint32_t>(sample.ids.size());
-    report.tree_bytes = tree.byte_count();
     report.peak_bytes = meter.peak_bytes();
     return tree;
 }
@@ -85,6 +91,7 @@ KdTree build_kd_tree(PrimitiveSetView primitives, const BuildOptions& options,
     run_with_threads(options.threads,
                      [&] { tree = run_pipeline(primitives, options, own_report); });
     if (report != nullptr) {
+        own_report.tree_bytes = tree.byte_count();
         own_report.statistics = measure(tree, options.cost);
         *report = std::move(own_report);
     }

@@ -31,7 +31,8 @@ for scene in json.load(sys.stdin)["scenes"]:
     assert 0 < report["tree_bytes"] <= report["peak_bytes"]
     assert report["statistics"]["sah_cost"] > 0
     assert report["stages"]["total"]["wall_seconds"] > 0
-    assert report["stages"]["refine"]["items"] == report["statistics"]["reference_count"]
+    assert report["stages"]["sample"]["items"] == report["sample_count"]
+    assert report["estimate"]["references"] > 0
     print(scene["scene"], scene["file"], report["primitive_count"] > 100)
 ' "$method" <<<"$stdout")" $'balls balls.ply True\nhills hills.obj True'
 done
