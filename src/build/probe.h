@@ -33,7 +33,8 @@ public:
 
     [[nodiscard]] Aabb clipped_bounds(std::uint32_t id, const Aabb& box) const {
         const ProbePart& part = parts_[id];
-        return primitives_.clipped_bounds(part.id, intersection(box, pieces_[part.piece]));
+        const Aabb inside = intersection(box, pieces_[part.piece]);
+        return inside.is_empty() ? Aabb{} : primitives_.clipped_bounds(part.id, inside);
     }
 
     /// How many primitives have their middle in one of the pieces. Every primitive has it in one

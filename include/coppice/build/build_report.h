@@ -18,8 +18,8 @@ struct StageReport {
     std::uint64_t items = 0;   ///< see StageReports
 };
 
-/// The five stages of a build. One that had nothing to do is all 0: a tree of all primitives that is
-/// built until no split pays is finished after the second.
+/// The five stages of a build. One that had nothing to do is all 0: a tree of all primitives that
+/// is built until no split pays is finished after the second.
 struct StageReports {
     StageReport sample;  ///< items: primitives drawn
     StageReport build;   ///< items: nodes of the sampled tree
