@@ -40,11 +40,13 @@ std::optional<Split> BinnedSplit::find(const SplitQuery& query) const {
     const NodeBins bins = bin_node(query.fragments, *grid);
     const double weight = weight_of(query.fragments);
     BestSplit best;
-    if (const auto boundary = best_boundary(query, bins, weight)) {
-        snap(query, *grid, bins, *boundary, best);
-    }
-    for (const Axis axis : all_axes)
+    for (const Axis axis : all_axes) {
         offer_extent(query, axis, bins.extent, weight, best);
+        const AxisBins& axis_bins = bins.axes[static_cast<std::size_t>(axis)];
+        if (const auto bin = best_boundary(query, axis, axis_bins, weight)) {
+            snap(query, *grid, axis_bins, {axis, *bin}, best);
+        }
+    }
     return best.get();
 }
 

@@ -43,26 +43,23 @@ NodeBins bin_node(std::span<const Fragment> fragments, const BinGrid& grid) {
     return sum;
 }
 
-std::optional<BinBoundary> best_boundary(const SplitQuery& query, const NodeBins& bins,
+std::optional<std::size_t> best_boundary(const SplitQuery& query, Axis axis, const AxisBins& bins,
                                          double weight) {
-    std::optional<BinBoundary> best;
-    double best_cost = std::numeric_limits<double>::infinity();
-    for (const Axis axis : all_axes) {
-        const AxisBins& axis_bins = bins.axes[static_cast<std::size_t>(axis)];
-        const PlaneEvaluator evaluator(query.box, axis, query.cost);
-        const double width = query.box.extent(axis) / static_cast<double>(bin_count);
-        SplitCounts counts{0.0, weight, 0.0};
-        for (std::size_t bin = 1; bin < bin_count; ++bin) {
-            counts.below += axis_bins.starts[bin - 1];
-            counts.above -= axis_bins.ends[bin - 1];
-            const auto position =
-                static_cast<float>(query.box.lower[axis] + static_cast<double>(bin) * width);
-            if (!evaluator.is_inside(position)) continue;
-            const double cost = evaluator.evaluate(position, counts).cost;
-            if (cost < best_cost) {
-                best_cost = cost;
-                best = {axis, bin};
-            }
+    std::optional<std::size_t> best;
+    double least_cost = std::numeric_limits<double>::infinity();
+    const PlaneEvaluator evaluator(query.box, axis, query.cost);
+    const double width = query.box.extent(axis) / static_cast<double>(bin_count);
+    SplitCounts counts{0.0, weight, 0.0};
+    for (std::size_t bin = 1; bin < bin_count; ++bin) {
+        counts.below += bins.starts[bin - 1];
+        counts.above -= bins.ends[bin - 1];
+        const auto position =
+            static_cast<float>(query.box.lower[axis] + static_cast<double>(bin) * width);
+        if (!evaluator.is_inside(position)) continue;
+        const double cost = evaluator.evaluate(position, counts).cost;
+        if (cost < least_cost) {
+            least_cost = cost;
+            best = bin;
         }
     }
     return best;

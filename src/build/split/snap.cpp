@@ -9,14 +9,13 @@
 
 namespace coppice {
 
-void snap(const SplitQuery& query, const BinGrid& grid, const NodeBins& bins, BinBoundary boundary,
+void snap(const SplitQuery& query, const BinGrid& grid, const AxisBins& bins, BinBoundary boundary,
           BestSplit& best) {
     const Axis axis = boundary.axis;
-    const AxisBins& axis_bins = bins.axes[static_cast<std::size_t>(axis)];
     SplitCounts counts;
     for (std::size_t bin = 0; bin < bin_count; ++bin) {
-        if (bin + 1 < boundary.bin) counts.below += axis_bins.starts[bin];
-        if (bin + 1 >= boundary.bin) counts.above += axis_bins.ends[bin];
+        if (bin + 1 < boundary.bin) counts.below += bins.starts[bin];
+        if (bin + 1 >= boundary.bin) counts.above += bins.ends[bin];
     }
     AxisEvents events;
     const float origin = grid.origin[axis];
