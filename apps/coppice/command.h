@@ -19,6 +19,8 @@ struct Command {
 
 /// Each adds one command to the program's parser. `arguments` is the program's argument list.
 [[nodiscard]] Command add_experiment(CLI::App& program, const std::vector<std::string>& arguments);
+[[nodiscard]] Command add_build(CLI::App& program);
+[[nodiscard]] Command add_bench(CLI::App& program);
 [[nodiscard]] Command add_info(CLI::App& program);
 [[nodiscard]] Command add_list(CLI::App& program);
 [[nodiscard]] Command add_generate(CLI::App& program);

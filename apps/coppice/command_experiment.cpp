@@ -2,8 +2,8 @@
 // report in a folder.
 
 #include "coppice/build/split_finder.h"
-#include "coppice/sample/sampler.h"
 
+#include "build_arguments.h"
 #include "command.h"
 #include "interrupts.h"
 #include "lab/experiment.h"
@@ -38,27 +38,6 @@ struct Request {
     lab::ExperimentOptions options;
 };
 
-template <typename Entry>
-std::vector<std::string_view> names_in(std::span<const Entry> registry) {
-    std::vector<std::string_view> names;
-    for (const Entry& entry : registry) {
-        names.push_back(entry.name);
-    }
-    return names;
-}
-
-/// The names of a comma list, each of them among `names`.
-std::vector<std::string> read_names(const std::string& option,
-                                    const std::vector<std::string>& texts,
-                                    const std::vector<std::string_view>& names) {
-    std::vector<std::string> chosen =
-        parse_list(option, texts, fmt::format("{}", fmt::join(names, ",")));
-    for (const std::string& name : chosen) {
-        require_name(option, name, names);
-    }
-    return chosen;
-}
-
 void add_what_to_run(CLI::App& parser, Request& request) {
     lab::ExperimentOptions& options = request.options;
     add_list_option(
@@ -67,17 +46,15 @@ void add_what_to_run(CLI::App& parser, Request& request) {
         [&options](const std::vector<std::string>& texts) {
             const auto registry = lab::primitive_kind_registry();
             options.primitives.clear();
-            for (const std::string& name : read_names("--primitives", texts, names_in(registry))) {
+            for (const std::string& name : parse_list("--primitives", texts, "points,triangles")) {
+                require_name("--primitives", name, names_in(registry));
                 options.primitives.push_back(
                     lab::find_named(registry, name, "kind of primitive").kind);
             }
         });
-    add_list_option(
-        parser, {"--protocols", "LIST", "How a tree is made from its sample", "fixed,scaled,grown"},
-        [&options](const std::vector<std::string>& texts) {
-            options.protocols =
-                read_names("--protocols", texts, names_in(lab::protocol_registry()));
-        });
+    add_names(parser,
+              {"--protocols", "LIST", "How a tree is made from its sample", "fixed,scaled,grown"},
+              options.protocols, names_in(lab::protocol_registry()));
     add_list_option(parser,
                     {"--rates", "LIST", "Sample sizes in percent of the primitives, in (0, 100]",
                      "100,50,40,30,20,10,5,4,3,2,1"},
@@ -88,32 +65,13 @@ void add_what_to_run(CLI::App& parser, Request& request) {
               1, lab::ExperimentOptions::max_seed_count);
 }
 
-/// An option that takes one of the names in a registry.
-void add_name(CLI::App& parser, const OptionText& text, std::string& value,
-              const std::vector<std::string_view>& names) {
-    add_text(parser, text, value)->each([option = text.name, names](const std::string& given) {
-        require_name(option, given, names);
-    });
-}
-
 void add_how_to_build(CLI::App& parser, BuildOptions& build) {
-    constexpr double infinity = std::numeric_limits<double>::max();
     add_name(parser,
              {"--split", "RULE", "Where nodes are split: " + lab::names_of(split_finder_registry()),
               "sah"},
              build.split.rule, names_in(split_finder_registry()));
-    add_name(parser,
-             {"--sampler", "NAME", "How the sample is drawn: " + lab::names_of(sampler_registry()),
-              "uniform"},
-             build.sample.sampler, names_in(sampler_registry()));
-    add_number(parser, {"--traversal-cost", "T", "Cost of passing an inner node, >= 0", "1"},
-               build.cost.traversal, {0.0, infinity, "a finite number >= 0"});
-    add_number(parser, {"--intersection-cost", "T", "Cost of testing a primitive, > 0", "1"},
-               build.cost.intersection, {0.0, infinity, "a finite number > 0", false});
-    add_number(
-        parser,
-        {"--empty-bonus", "B", "Share of a split's cost taken off if one side is empty", "0.5"},
-        build.cost.empty_bonus, {0.0, 1.0, "a number in [0, 1)", true, false});
+    add_sampler(parser, build.sample.sampler);
+    add_costs(parser, build.cost);
     add_whole(parser, {"--max-depth", "N", "No leaf is deeper, 0 to 60", "50"},
               build.split.max_depth, 0, 60);
     add_whole(parser, {"--max-leaf", "N", "No node of so few sampled primitives is split", "32"},
@@ -123,8 +81,7 @@ void add_how_to_build(CLI::App& parser, BuildOptions& build) {
               build.split.bad_refines, 1, std::numeric_limits<int>::max());
     add_switch(parser, "--no-clip", "Cut boxes at planes instead of triangles (no perfect splits)",
                [&build] { build.split.clipping = Clipping::bounding_box; });
-    add_whole(parser, {"--threads", "N", "Use at most N threads; 0 = all", "0"}, build.threads, 0,
-              1024);
+    add_threads(parser, build.threads);
 }
 
 /// "dragon 12/66: triangles, grown, 20 %, seed 1"

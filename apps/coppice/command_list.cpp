@@ -1,9 +1,11 @@
 // coppice list: the names that options take, from their registries.
 
+#include "coppice/build/method.h"
 #include "coppice/build/split_finder.h"
 #include "coppice/sample/sampler.h"
 
 #include "command.h"
+#include "lab/contestant.h"
 #include "lab/experiment_options.h"
 #include "lab/procedural.h"
 #include "lab/protocol.h"
@@ -36,6 +38,8 @@ Section make_section(std::string key, std::string title, std::span<const Entry> 
 std::vector<Section> all_sections() {
     return {make_section("primitives", "Primitives (--primitives)", lab::primitive_kind_registry()),
             make_section("protocols", "Protocols (--protocols)", lab::protocol_registry()),
+            make_section("methods", "Methods (coppice build, coppice bench)", method_registry()),
+            make_section("peers", "Peers (coppice bench)", lab::peer_registry()),
             make_section("splits", "Split rules (--split)", split_finder_registry()),
             make_section("samplers", "Samplers (--sampler)", sampler_registry()),
             make_section("procedural_scenes", "Procedural scenes (coppice generate)",
@@ -45,10 +49,11 @@ std::vector<Section> all_sections() {
 std::string sections_text() {
     std::string text;
     for (const Section& section : all_sections()) {
+        if (section.entries.empty()) continue;  // peers, without Embree
         if (!text.empty()) text += '\n';
         text += section.title + ":\n";
         for (const auto& [name, summary] : section.entries) {
-            text += fmt::format("  {:<10} {}\n", name, summary);
+            text += fmt::format("  {:<13} {}\n", name, summary);
         }
     }
     return text;
@@ -68,8 +73,8 @@ std::string sections_json() {
 }  // namespace
 
 Command add_list(CLI::App& program) {
-    CLI::App* parser =
-        program.add_subcommand("list", "Show the names of split rules, samplers and protocols");
+    CLI::App* parser = program.add_subcommand(
+        "list", "Show the names of methods, split rules, samplers and protocols");
     parser->allow_extras();
     const auto as_json = std::make_shared<bool>(false);
     add_switch(*parser, "--json", "Print JSON instead of text", [as_json] { *as_json = true; });

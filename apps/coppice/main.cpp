@@ -111,13 +111,19 @@ int run_program(int argument_count, char** argument_texts) {
     program.set_version_flag("--version", version_text(), "Print version, revision and compiler");
     program.require_subcommand(0, 1);
     program.allow_extras();
-    const std::vector<Command> commands{add_experiment(program, arguments), add_info(program),
-                                        add_list(program), add_generate(program)};
+    const std::vector<Command> commands{add_experiment(program, arguments),
+                                        add_build(program),
+                                        add_bench(program),
+                                        add_info(program),
+                                        add_list(program),
+                                        add_generate(program)};
     program.footer(
         "Examples:\n"
         "  coppice generate terrain --triangles 100000 -o terrain.obj\n"
         "  coppice info terrain.obj\n"
         "  coppice experiment terrain.obj --out out/terrain\n"
+        "  coppice build terrain.obj\n"
+        "  coppice bench terrain.obj\n"
         "  coppice experiment --help");
     try {
         program.parse(argument_count, argument_texts);

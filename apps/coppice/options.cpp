@@ -1,6 +1,7 @@
 #include "options.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 
@@ -41,6 +42,20 @@ public:
 
 }  // namespace
 
+std::string listing(std::string_view what, std::span<const std::string_view> names) {
+    constexpr std::size_t width = 68;
+    std::string text = fmt::format("{}:", what);
+    std::size_t line_length = text.size();
+    for (const std::string_view& name : names) {
+        const bool is_last = &name == &names.back();
+        const std::string item = fmt::format("{}{}", name, is_last ? "" : ",");
+        const bool fits = line_length + 1 + item.size() <= width;
+        text += (fits ? " " : "\n") + item;
+        line_length = fits ? line_length + 1 + item.size() : item.size();
+    }
+    return text;
+}
+
 CLI::Option* add_text(CLI::App& command, const OptionText& text, std::string& value) {
     const auto read = [text, &value](const std::string& given) {
         if (given.empty()) throw UsageError(fmt::format("{}: the value is empty", text.name));
@@ -68,6 +83,34 @@ CLI::Option* add_list_option(CLI::App& command, const OptionText& text,
         ->default_str(text.default_text)
         ->allow_extra_args(false)
         ->take_all();
+}
+
+CLI::Option* add_name(CLI::App& command, const OptionText& text, std::string& value,
+                      const std::vector<std::string_view>& names) {
+    return add_text(command, text, value)
+        ->each([option = text.name, names](const std::string& given) {
+            require_name(option, given, names);
+        });
+}
+
+CLI::Option* add_names(CLI::App& command, const OptionText& text, std::vector<std::string>& value,
+                       const std::vector<std::string_view>& names) {
+    const auto read = [option = text.name, &value, names](const std::vector<std::string>& texts) {
+        value = parse_list(option, texts, fmt::format("{}", fmt::join(names, ",")));
+        for (const std::string& name : value) {
+            require_name(option, name, names);
+        }
+    };
+    return add_list_option(command, text, read);
+}
+
+CLI::Option* add_vector(CLI::App& command, const OptionText& text, std::optional<Vec3f>& value) {
+    const auto read = [option = text.name, &value](const std::string& given) {
+        value = parse_vector(option, given);
+    };
+    return command.add_option_function<std::string>(text.name, read, text.meaning)
+        ->type_name(text.placeholder)
+        ->default_str(text.default_text);
 }
 
 CLI::Option* add_switch(CLI::App& command, const std::string& name, const std::string& meaning,

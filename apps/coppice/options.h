@@ -1,11 +1,16 @@
 #pragma once
 
+#include "coppice/geom/vec3.h"
+
 #include "usage.h"
 
 #include <CLI/CLI.hpp>
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace coppice::app {
@@ -18,6 +23,20 @@ struct OptionText {
     std::string meaning;
     std::string default_text;
 };
+
+/// The names in a registry, in its order.
+template <typename Entry>
+[[nodiscard]] std::vector<std::string_view> names_in(std::span<const Entry> registry) {
+    std::vector<std::string_view> names;
+    for (const Entry& entry : registry) {
+        names.push_back(entry.name);
+    }
+    return names;
+}
+
+/// A meaning for OptionText that ends in a list of names: "what: a, b, c", in lines of at most 68
+/// characters.
+[[nodiscard]] std::string listing(std::string_view what, std::span<const std::string_view> names);
 
 /// An option with one text value, not empty.
 CLI::Option* add_text(CLI::App& command, const OptionText& text, std::string& value);
@@ -42,6 +61,17 @@ CLI::Option* add_number(CLI::App& command, const OptionText& text, double& value
 /// An option with a comma list; may be given several times. `read` gets all the texts given.
 CLI::Option* add_list_option(CLI::App& command, const OptionText& text,
                              const std::function<void(const std::vector<std::string>&)>& read);
+
+/// An option that takes one of some names.
+CLI::Option* add_name(CLI::App& command, const OptionText& text, std::string& value,
+                      const std::vector<std::string_view>& names);
+
+/// An option that takes a comma list of some names, each once.
+CLI::Option* add_names(CLI::App& command, const OptionText& text, std::vector<std::string>& value,
+                       const std::vector<std::string_view>& names);
+
+/// An option that takes a point or direction: three finite numbers with commas between.
+CLI::Option* add_vector(CLI::App& command, const OptionText& text, std::optional<Vec3f>& value);
 
 /// An option without a value.
 CLI::Option* add_switch(CLI::App& command, const std::string& name, const std::string& meaning,

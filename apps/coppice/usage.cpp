@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <numeric>
 
 namespace coppice::app {
@@ -100,6 +101,33 @@ std::vector<double> parse_percents(std::string_view option, std::span<const std:
         if (is_new) percents.push_back(percent);
     }
     return percents;
+}
+
+double parse_share(std::string_view option, std::string_view text) {
+    std::string_view digits = trimmed(text);
+    const bool is_percent = digits.ends_with('%');
+    if (is_percent) digits = trimmed(digits.substr(0, digits.size() - 1));
+    double share = 0.0;
+    const bool is_number = read_number(digits, share);
+    if (is_percent) share /= 100.0;
+    if (!is_number || !is_in({0.0, 1.0, "", false, true}, share)) {
+        fail(option, text, "a share in (0, 1] or (0%, 100%]", "1%");
+    }
+    return share;
+}
+
+Vec3f parse_vector(std::string_view option, std::string_view text) {
+    Vec3f v;
+    std::string_view rest = text;
+    for (const Axis axis : all_axes) {
+        const std::size_t end = axis == Axis::z ? rest.size() : rest.find(',');
+        const bool is_read = end != std::string_view::npos &&
+                             read_number(trimmed(rest.substr(0, end)), v[axis]) &&
+                             std::isfinite(v[axis]);
+        if (!is_read) fail(option, text, "three finite numbers with commas between", "1,2,-3.5");
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return v;
 }
 
 void require_name(std::string_view option, std::string_view name,

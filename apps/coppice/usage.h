@@ -1,5 +1,7 @@
 #pragma once
 
+#include "coppice/geom/vec3.h"
+
 #include <cstdint>
 #include <span>
 #include <stdexcept>
@@ -43,6 +45,13 @@ struct NumberRange {
 /// Throws UsageError.
 [[nodiscard]] std::vector<double> parse_percents(std::string_view option,
                                                  std::span<const std::string> texts);
+
+/// The share in (0, 1] that `text` writes, as a percentage (`1%`) or a number (`0.01`). Throws
+/// UsageError.
+[[nodiscard]] double parse_share(std::string_view option, std::string_view text);
+
+/// The three finite numbers that `text` writes, with commas between. Throws UsageError.
+[[nodiscard]] Vec3f parse_vector(std::string_view option, std::string_view text);
 
 /// Throws UsageError unless `name` is among `names`, with the nearest one or all of them.
 void require_name(std::string_view option, std::string_view name,

@@ -1,11 +1,13 @@
 // Top-down construction of the k-d tree over the sample. At each node the split rule offers a
 // plane; a node becomes a leaf when it has few enough primitives, at the depth limit, when no plane
-// is offered, or after the allowed number of splits that do not pay. Events are sorted anew in
-// every node: O(N log^2 N), simple, and what the thesis timed; see KdBuilder for the recursion.
+// is offered, or after the allowed number of splits that do not pay. The rule `sah` sorts events
+// anew in every node: O(N log^2 N), simple, and what the thesis timed; see KdBuilder for the
+// recursion. The rule `exact` has a builder of its own, which gives the same tree sooner.
 // Source: [Tsiompikas2022] sec. 4.3.1, [Pharr2016] sec. 4.4.
 
 #include "coppice/build/build_on_sample.h"
 
+#include "build/exact/exact_builder.h"
 #include "build/kd_builder.h"
 #include "build/partition.h"
 
@@ -34,10 +36,19 @@ StopRule stop_rule(const SplitOptions& split) {
     return {split.max_leaf, split.bad_refines, split.max_depth, SplitSearch::first_offer};
 }
 
+TreePart build_part(PrimitiveSetView primitives, const BuildOptions& options,
+                    std::vector<Fragment> fragments, const Aabb& box, MemoryMeter* meter) {
+    const StopRule stop = stop_rule(options.split);
+    if (options.split.rule == "exact") {
+        return ExactBuilder(primitives, options, stop, meter).build(std::move(fragments), {box});
+    }
+    return KdBuilder(primitives, options, stop, meter).build(std::move(fragments), {box});
+}
+
 }  // namespace
 
 KdTree build_on_sample(PrimitiveSetView primitives, const Sample& sample,
-                       const BuildOptions& options) {
+                       const BuildOptions& options, MemoryMeter* meter) {
     const Aabb box = bounds_of_all(primitives);
     std::vector<Fragment> fragments;
     fragments.reserve(sample.ids.size());
@@ -46,8 +57,8 @@ KdTree build_on_sample(PrimitiveSetView primitives, const Sample& sample,
         fragments.push_back(
             {primitives.bounds(id), id, weight_at(sample, i, options.split.counting)});
     }
-    Subtree tree = KdBuilder(primitives, options, stop_rule(options.split))
-                       .build(std::move(fragments), box, 0);
+    Subtree tree =
+        assemble(build_part(primitives, options, std::move(fragments), box, meter), meter);
     return {std::move(tree.nodes), std::move(tree.references), box};
 }
 

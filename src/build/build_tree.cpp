@@ -1,7 +1,7 @@
 #include "coppice/build/build_tree.h"
 
+#include "coppice/base/memory_meter.h"
 #include "coppice/base/parallel.h"
-#include "coppice/base/timer.h"
 #include "coppice/build/build_on_sample.h"
 #include "coppice/build/draw_sample.h"
 #include "coppice/build/empty_leaves.h"
@@ -10,35 +10,44 @@
 #include "coppice/cost/measure.h"
 
 #include "build/finite_boxes.h"
+#include "build/stage_clock.h"
 
 #include <utility>
 
 namespace coppice {
 namespace {
 
-// Seconds since the last lap.
-double lap(Timer& timer) {
-    const double seconds = timer.seconds();
-    timer.restart();
-    return seconds;
+// A tree of all primitives that was built until no split pays has nothing to gain from the later
+// stages: refilling gives back its leaves, and growing finds no split.
+bool is_complete(const Sample& sample, PrimitiveSetView primitives, const BuildOptions& options) {
+    return sample.ids.size() == primitives.size() && options.split.stop == Stop::sah;
 }
 
 KdTree run_pipeline(PrimitiveSetView primitives, const BuildOptions& options, BuildReport& report) {
-    Timer timer;
-    StageSeconds& seconds = report.seconds;
+    StageClock clock;
+    StageReports& stages = report.stages;
+    MemoryMeter meter;
 
+    require_finite_boxes(primitives);  // counted as the sample's time, so that nothing is left out
     const Sample sample = draw_sample(primitives, options.sample);
-    seconds.sample = lap(timer);
-    KdTree sampled = build_on_sample(primitives, sample, options);
-    seconds.build = lap(timer);
-    Skeleton skeleton = empty_leaves(std::move(sampled));
-    seconds.empty = lap(timer);
-    KdTree refilled = refill(std::move(skeleton), primitives, options);
-    seconds.refill = lap(timer);
-    KdTree tree = refine(std::move(refilled), primitives, options);
-    seconds.refine = lap(timer);
-
+    const MeteredBytes sample_bytes(&meter, sample.ids);
+    stages.sample = clock.lap(sample.ids.size());
+    KdTree sampled = build_on_sample(primitives, sample, options, &meter);
+    MeteredBytes tree_bytes(&meter, sampled.byte_count());
+    stages.build = clock.lap(sampled.nodes().size());
     report.sample_count = static_cast<std::uint32_t>(sample.ids.size());
+    report.peak_bytes = meter.peak_bytes();
+    if (is_complete(sample, primitives, options)) return sampled;
+    Skeleton skeleton = empty_leaves(std::move(sampled));
+    tree_bytes = {&meter, skeleton.nodes().size_bytes()};
+    stages.empty = clock.lap(skeleton.nodes().size());
+    KdTree refilled = refill(std::move(skeleton), primitives, options, &meter);
+    tree_bytes = {&meter, refilled.byte_count()};
+    stages.refill = clock.lap(refilled.references().size());
+    KdTree tree = refine(std::move(refilled), primitives, options, &meter);
+    tree_bytes = {&meter, tree.byte_count()};
+    stages.refine = clock.lap(tree.references().size());
+    report.peak_bytes = meter.peak_bytes();
     return tree;
 }
 
@@ -51,11 +60,10 @@ KdTree build_kd_tree(PrimitiveSetView primitives, const BuildOptions& options,
     own_report.options = options;
     own_report.primitive_count = primitives.size();
     KdTree tree;
-    run_with_threads(options.threads, [&] {
-        require_finite_boxes(primitives);
-        tree = run_pipeline(primitives, options, own_report);
-    });
+    run_with_threads(options.threads,
+                     [&] { tree = run_pipeline(primitives, options, own_report); });
     if (report != nullptr) {
+        own_report.tree_bytes = tree.byte_count();
         own_report.statistics = measure(tree, options.cost);
         *report = std::move(own_report);
     }

@@ -1,10 +1,11 @@
+#include "coppice/base/memory_meter.h"
 #include "coppice/base/parallel.h"
-#include "coppice/base/timer.h"
 #include "coppice/build/build_tree.h"
 #include "coppice/build/draw_sample.h"
 #include "coppice/cost/measure.h"
 
 #include "build/kernels/wide_kernels.h"
+#include "build/stage_clock.h"
 #include "build/wide/grow_wide.h"
 #include "build/wide/make_references.h"
 
@@ -27,50 +28,43 @@ wide::Top build_top(std::span<const Reference> references, const Sample& sample,
     return wide::build_object_top(sampled, static_cast<float>(options.wide.cell_size), kernels);
 }
 
-// Seconds since the last lap.
-double lap(Timer& timer) {
-    const double seconds = timer.seconds();
-    timer.restart();
-    return seconds;
+// The cells of the top, filled: one of everything where the scene is not sampled.
+std::vector<wide::Range> make_cells(const wide::Arena& arena, const BuildOptions& options,
+                                    const wide::Kernels& kernels, StageClock& clock,
+                                    BuildReport& report, wide::Top& top) {
+    const std::span<Reference> references = arena.first();
+    SampleOptions sampling = options.sample;
+    if (references.size() < options.wide.sampled_from) sampling.rate = 1.0;
+    const auto count = static_cast<std::uint32_t>(references.size());
+    report.sample_count = sample_count(count, sampling.rate);
+    if (report.sample_count == count) {
+        report.stages.sample = clock.lap(count);
+        return {{.begin = 0, .end = count, .buffer = 0}};
+    }
+    const Sample sample = draw_sample(wide::ReferenceSet(references), sampling);
+    report.stages.sample = clock.lap(sample.ids.size());
+    top = build_top(references, sample, options, kernels);
+    report.stages.build = clock.lap(top.nodes.size());
+    std::vector<wide::Range> cells = wide::fill_cells(top, references, arena.second());
+    report.stages.refill = clock.lap(count);
+    return cells;
 }
 
 WideBvh run_pipeline(TriangleMeshView mesh, const BuildOptions& options, BuildReport& report) {
-    Timer timer;
-    StageSeconds& seconds = report.seconds;
+    StageClock clock;
+    MemoryMeter meter;
     const wide::Kernels& kernels = wide::kernels_for(choose_isa());
-    wide::Arena arena(mesh.size());
-    const std::span<Reference> references = arena.first();
-    const std::span<Reference> buffer = arena.second();
-    wide::make_references(mesh, references);
+    wide::Arena arena(mesh.size(), meter);
+    wide::make_references(mesh, arena.first());
 
     wide::Top top;
-    std::vector<wide::Range> cells;
-    SampleOptions sampling = options.sample;
-    if (mesh.size() < options.wide.sampled_from) sampling.rate = 1.0;
-    report.sample_count = mesh.size();
-    if (sampling.rate < 1.0) {
-        const Sample sample = draw_sample(wide::ReferenceSet(references), sampling);
-        report.sample_count = static_cast<std::uint32_t>(sample.ids.size());
-        seconds.sample = lap(timer);
-        top = build_top(references, sample, options, kernels);
-        seconds.build = lap(timer);
-        cells = wide::fill_cells(top, references, buffer);
-        seconds.refill = lap(timer);
-    } else {
-        cells.push_back({.begin = 0, .end = mesh.size(), .buffer = 0});
-    }
-    const wide::Splitter measurer(references, buffer, {}, kernels);
-    wide::Box8 bounds = wide::Box8::make_empty();
-    parallel_for_chunks(cells.size(), 1, [&](std::size_t cell, std::size_t /*end*/) {
-        cells[cell] = measurer.measured(cells[cell].begin, cells[cell].end, cells[cell].buffer);
-    });
-    for (const wide::Range& cell : cells)
-        bounds.grow(cell.box);
-    const wide::Splitter splitter(references, buffer, {8.0F, true, wide::extent_factor_of(bounds)},
-                                  kernels);
-    wide::GrownTree grown = wide::grow_wide(top, cells, splitter, arena.ids());
-    WideBvh tree = wide::assemble(std::move(grown), std::move(arena), mesh);
-    seconds.refine = lap(timer);
+    const auto unmeasured = make_cells(arena, options, kernels, clock, report, top);
+    const std::vector<wide::Range> cells = wide::measure_cells(unmeasured, arena, kernels);
+    wide::GrownTree grown = wide::grow_wide(top, cells, arena, kernels);
+    const MeteredBytes part_bytes(&meter, byte_count(grown.root));
+    WideBvh tree = wide::assemble(std::move(grown), std::move(arena), mesh, meter);
+    report.stages.refine = clock.lap(mesh.size());
+    report.peak_bytes = meter.peak_bytes();
     return tree;
 }
 
@@ -84,6 +78,7 @@ WideBvh build_wide_bvh(TriangleMeshView mesh, const BuildOptions& options, Build
     WideBvh tree;
     run_with_threads(options.threads, [&] { tree = run_pipeline(mesh, options, own_report); });
     if (report != nullptr) {
+        own_report.tree_bytes = tree.byte_count();
         own_report.statistics = measure(tree, options.cost);
         *report = std::move(own_report);
     }

@@ -39,12 +39,13 @@ float begin_of(std::span<const Fragment> fragments, Axis axis, PlanarSide from) 
 
 class Grower {
 public:
-    Grower(const KdTree& tree, PrimitiveSetView primitives, const BuildOptions& options)
+    Grower(const KdTree& tree, PrimitiveSetView primitives, const BuildOptions& options,
+           MemoryMeter* meter)
         : nodes_(tree.nodes()),
-          primitives_(primitives),
+          division_{primitives, options.split.clipping, meter},
           options_(options),
-          builder_(primitives, options,
-                   {0, 1, options.split.max_depth, SplitSearch::until_it_pays}) {}
+          builder_(primitives, options, {0, 1, options.split.max_depth, SplitSearch::until_it_pays},
+                   meter) {}
 
     // A node of the old tree with all its fragments.
     struct Node {
@@ -54,17 +55,14 @@ public:
         int depth;
     };
 
-    void grow(Subtree& grown, std::uint32_t slot, Node node) const {
+    [[nodiscard]] TreePart grow(Node node) const {
         const KdNode& old = nodes_[node.index];
         if (old.is_leaf() || is_noise(node)) {
-            splice(grown, slot, builder_.build(std::move(node.fragments), node.box, node.depth));
-        } else if (is_falsely_empty(old.lower_child())) {
-            revise(grown, slot, std::move(node), PlanarSide::below);
-        } else if (is_falsely_empty(old.upper_child())) {
-            revise(grown, slot, std::move(node), PlanarSide::above);
-        } else {
-            split(grown, slot, std::move(node));
+            return builder_.build(std::move(node.fragments), {node.box, node.depth});
         }
+        if (is_falsely_empty(old.lower_child())) return revise(std::move(node), PlanarSide::below);
+        if (is_falsely_empty(old.upper_child())) return revise(std::move(node), PlanarSide::above);
+        return split(std::move(node));
     }
 
 private:
@@ -87,7 +85,7 @@ private:
     }
 
     // Decides anew about a plane whose child on `side` was empty in the sample only.
-    void revise(Subtree& grown, std::uint32_t slot, Node node, PlanarSide side) const {
+    [[nodiscard]] TreePart revise(Node node, PlanarSide side) const {
         const KdNode& old = nodes_[node.index];
         const Plane plane{old.axis(), begin_of(node.fragments, old.axis(), side)};
         const std::uint32_t rest =
@@ -95,58 +93,51 @@ private:
         const SplitQuery query{node.fragments, node.box, options_.cost, 0.0};
         const double old_cost = evaluate_plane(query, old.plane()).cost;
         if (!PlaneEvaluator(node.box, plane.axis, options_.cost).is_inside(plane.position)) {
-            if (keeps_its_promise(old_cost, node.fragments.size())) {
-                split(grown, slot, std::move(node));
-            } else {
-                grow(grown, slot, {rest, std::move(node.fragments), node.box, node.depth});
-            }
-            return;
+            if (keeps_its_promise(old_cost, node.fragments.size())) return split(std::move(node));
+            return grow({rest, std::move(node.fragments), node.box, node.depth});
         }
-        if (!(evaluate_plane(query, plane).cost < old_cost)) {
-            split(grown, slot, std::move(node));
-            return;
-        }
+        if (!(evaluate_plane(query, plane).cost < old_cost)) return split(std::move(node));
         const bool is_empty_below = side == PlanarSide::below;
-        const std::uint32_t lower =
-            make_inner(grown, slot, plane, is_empty_below ? PlanarSide::above : PlanarSide::below);
-        const Aabb rest_box = is_empty_below ? above(node.box, plane) : below(node.box, plane);
-        grow(grown, is_empty_below ? lower + 1 : lower,
-             {rest, std::move(node.fragments), rest_box, node.depth + 1});
+        TreePart grown = grow({rest, std::move(node.fragments),
+                               is_empty_below ? above(node.box, plane) : below(node.box, plane),
+                               node.depth + 1});
+        return is_empty_below ? TreePart(plane, PlanarSide::above, TreePart(), std::move(grown))
+                              : TreePart(plane, PlanarSide::below, std::move(grown), TreePart());
     }
 
     // Splits as the old tree does.
-    void split(Subtree& grown, std::uint32_t slot, Node node) const {
+    [[nodiscard]] TreePart split(Node node) const {
         const KdNode& old = nodes_[node.index];
-        Partition sides = partition(node.fragments, old.plane(), old.planar_side(), primitives_,
-                                    options_.split.clipping);
+        const Plane plane = old.plane();
+        MeteredBytes bytes(division_.meter, node.fragments);
+        Partition sides = partition(node.fragments, plane, old.planar_side(), division_);
         const std::size_t fragment_count = node.fragments.size();
         node.fragments = {};  // freed before the recursion, which needs the memory
-        build_children(
-            grown, make_inner(grown, slot, old.plane(), old.planar_side()), fragment_count,
-            [&](Subtree& part, std::uint32_t lower) {
-                grow(part, lower,
-                     {old.lower_child(), std::move(sides.below), below(node.box, old.plane()),
-                      node.depth + 1});
+        bytes.release();
+        const int depth = node.depth + 1;
+        return build_both(
+            plane, old.planar_side(), fragment_count,
+            [&] {
+                return grow({old.lower_child(), sides.take_below(), below(node.box, plane), depth});
             },
-            [&](Subtree& part, std::uint32_t upper) {
-                grow(part, upper,
-                     {old.upper_child(), std::move(sides.above), above(node.box, old.plane()),
-                      node.depth + 1});
+            [&] {
+                return grow({old.upper_child(), sides.take_above(), above(node.box, plane), depth});
             });
     }
 
     std::span<const KdNode> nodes_;
-    PrimitiveSetView primitives_;
+    Division division_;
     const BuildOptions& options_;
     KdBuilder builder_;
 };
 
 }  // namespace
 
-KdTree grow_kd(KdTree&& tree, PrimitiveSetView primitives, const BuildOptions& options) {
-    Subtree grown;
-    Grower(tree, primitives, options)
-        .grow(grown, 0, {0, whole_fragments(primitives), tree.bounds(), 0});
+KdTree grow_kd(KdTree&& tree, PrimitiveSetView primitives, const BuildOptions& options,
+               MemoryMeter* meter) {
+    Subtree grown = assemble(Grower(tree, primitives, options, meter)
+                                 .grow({0, whole_fragments(primitives), tree.bounds(), 0}),
+                             meter);
     const Aabb box = tree.bounds();
     tree = KdTree{};
     return {std::move(grown.nodes), std::move(grown.references), box};

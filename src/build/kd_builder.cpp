@@ -1,65 +1,67 @@
 #include "build/kd_builder.h"
 
-#include "build/partition.h"
-
-#include <limits>
 #include <utility>
 
 namespace coppice {
-KdBuilder::KdBuilder(PrimitiveSetView primitives, const BuildOptions& options, const StopRule& stop)
-    : primitives_(primitives),
+
+KdBuilder::KdBuilder(PrimitiveSetView primitives, const BuildOptions& options, const StopRule& stop,
+                     MemoryMeter* meter)
+    : division_{primitives, options.split.clipping, meter},
       finder_(find_split_finder(options.split.rule)),
       cost_(options.cost),
-      clipping_(options.split.clipping),
       stop_(stop) {}
 
-Subtree KdBuilder::build(std::vector<Fragment> fragments, const Aabb& box, int depth) const {
-    Subtree tree;
-    build_into(tree, 0, {std::move(fragments), box, depth, 0});
-    return tree;
-}
-
 // The split of a node, or nothing if it is to be a leaf; counts a bad refine on the node's path.
-std::optional<Split> KdBuilder::find_split(Node& node) const {
-    if (node.fragments.empty() || node.depth >= stop_.max_depth || node.box.surface_area() == 0.0) {
-        return std::nullopt;
-    }
-    const double weight = weight_of(node.fragments);
-    if (weight <= stop_.max_leaf) return std::nullopt;
+std::optional<Split> KdBuilder::find_split(std::span<const Fragment> fragments,
+                                           NodeState& node) const {
+    const double weight = weight_of(fragments);
+    if (stop_.ends_at(node, weight, cost_)) return std::nullopt;
     const double leaf_cost = cost_.leaf_cost(weight);
-    const double acceptable_cost = stop_.search == SplitSearch::until_it_pays
-                                       ? leaf_cost
-                                       : std::numeric_limits<double>::infinity();
-    const auto split = finder_.find({node.fragments, node.box, cost_, acceptable_cost});
-    if (!split) return std::nullopt;
-    if (!(split->cost < leaf_cost)) ++node.bad_refines_so_far;
-    if (node.bad_refines_so_far >= stop_.bad_refines) return std::nullopt;
+    const auto split = finder_.find({fragments, node.box, cost_, stop_.acceptable_cost(leaf_cost)});
+    if (!split || !stop_.accepts(split->cost, leaf_cost, node)) return std::nullopt;
     return split;
 }
 
-void KdBuilder::build_into(Subtree& tree, std::uint32_t slot, Node node) const {
-    const auto split = find_split(node);
+TreePart KdBuilder::build(std::vector<Fragment> fragments, NodeState node) const {
+    MeteredBytes bytes(division_.meter, fragments);
+    if (fragments.size() < parallel_fragment_count) {
+        Subtree tree;
+        const std::size_t count = fragments.size();
+        FragmentStack stack(std::move(fragments));
+        build_alone(tree, 0, stack, count, node);
+        return TreePart(std::move(tree), division_.meter);
+    }
+    const auto split = find_split(fragments, node);
     if (!split) {
-        make_leaf(tree, slot, node.fragments);
+        Subtree leaf;
+        make_leaf(leaf, 0, fragments);
+        return TreePart(std::move(leaf), division_.meter);
+    }
+    const Plane plane = split->plane;
+    const std::size_t count = fragments.size();
+    Partition sides = partition(fragments, plane, split->planar_side, division_);
+    fragments = {};  // freed before the recursion, which needs the memory
+    bytes.release();
+    return build_both(
+        plane, split->planar_side, count,
+        [&] { return build(sides.take_below(), node.child(below(node.box, plane))); },
+        [&] { return build(sides.take_above(), node.child(above(node.box, plane))); });
+}
+
+// As build(), within one task: the node's fragments are the topmost `count`, and are popped.
+void KdBuilder::build_alone(Subtree& tree, std::uint32_t slot, FragmentStack& stack,
+                            std::size_t count, NodeState node) const {
+    const auto split = find_split(stack.top(count), node);
+    if (!split) {
+        make_leaf(tree, slot, stack.top(count));
+        stack.pop(count);
         return;
     }
-    Partition sides =
-        partition(node.fragments, split->plane, split->planar_side, primitives_, clipping_);
-    const std::size_t fragment_count = node.fragments.size();
-    node.fragments = {};  // freed before the recursion, which needs the memory
-    const auto build_child = [&](Subtree& part, std::uint32_t part_slot,
-                                 std::vector<Fragment>& fragments, const Aabb& box) {
-        build_into(part, part_slot,
-                   {std::move(fragments), box, node.depth + 1, node.bad_refines_so_far});
-    };
-    build_children(
-        tree, make_inner(tree, slot, split->plane, split->planar_side), fragment_count,
-        [&](Subtree& part, std::uint32_t lower) {
-            build_child(part, lower, sides.below, below(node.box, split->plane));
-        },
-        [&](Subtree& part, std::uint32_t upper) {
-            build_child(part, upper, sides.above, above(node.box, split->plane));
-        });
+    const Plane plane = split->plane;
+    const auto sides = stack.divide_top(count, plane, split->planar_side, division_);
+    const std::uint32_t lower = make_inner(tree, slot, plane, split->planar_side);
+    build_alone(tree, lower, stack, sides.below, node.child(below(node.box, plane)));
+    build_alone(tree, lower + 1, stack, sides.above, node.child(above(node.box, plane)));
 }
 
 }  // namespace coppice

@@ -13,21 +13,24 @@ namespace {
 
 // A k-d tree built from all primitives until no split pays.
 BuildOptions direct(const char* rule) {
-    return {.split = {.rule = rule, .stop = Stop::sah}, .growth = Growth::none};
+    return {.split = {.rule = rule, .stop = Stop::sah},
+            .growth = Growth::none,
+            .cost = {.empty_bonus = 0.2}};
 }
 
 BuildOptions exact() {
-    return direct("sah");
+    return direct("exact");
 }
 
 BuildOptions binned() {
-    return direct("sah");
+    return direct("binned");
 }
 
 BuildOptions sampled() {
     return {.sample = {.rate = 0.01},
-            .split = {.rule = "sah", .max_leaf = 64, .bad_refines = 1},
-            .growth = Growth::kd};
+            .split = {.rule = "binned", .max_leaf = 64, .bad_refines = 1},
+            .growth = Growth::kd,
+            .cost = {.empty_bonus = 0.2}};
 }
 
 BuildOptions subsampled() {
@@ -44,7 +47,7 @@ BuildOptions sweep() {
 
 template <WidePreset preset>
 BuildOptions wide() {
-    return {.wide = {.preset = preset}};
+    return {.sample = {.rate = 0.01, .sampler = "weighted"}, .wide = {.preset = preset}};
 }
 
 constexpr std::array methods{

@@ -10,7 +10,7 @@
 #include "coppice/tree/walk.h"
 
 #include "build/partition.h"
-#include "build/subtree.h"
+#include "build/tree_part.h"
 
 #include <fmt/format.h>
 
@@ -22,31 +22,32 @@ namespace {
 
 class Refill {
 public:
-    Refill(std::vector<KdNode>& nodes, PrimitiveSetView primitives, Clipping clipping)
-        : nodes_(nodes), primitives_(primitives), clipping_(clipping) {}
+    Refill(std::vector<KdNode>& nodes, const Division& division)
+        : nodes_(nodes), division_(division) {}
 
     // Fills all leaves below a node. Appends their references to `references` in depth-first
     // order; leaves get their counts, and their first reference in place_references().
     void fill(std::uint32_t index, std::vector<Fragment> fragments,
               std::vector<std::uint32_t>& references) {
+        MeteredBytes bytes(division_.meter, fragments);
         const KdNode node = nodes_[index];
         if (node.is_leaf()) {
             fill_leaf(index, fragments, references);
             return;
         }
-        Partition sides =
-            partition(fragments, node.plane(), node.planar_side(), primitives_, clipping_);
+        Partition sides = partition(fragments, node.plane(), node.planar_side(), division_);
         const bool in_parallel = fragments.size() >= parallel_fragment_count;
         fragments = {};
+        bytes.release();
         if (!in_parallel) {
-            fill(node.lower_child(), std::move(sides.below), references);
-            fill(node.upper_child(), std::move(sides.above), references);
+            fill(node.lower_child(), sides.take_below(), references);
+            fill(node.upper_child(), sides.take_above(), references);
             return;
         }
         std::vector<std::uint32_t> upper_references;
-        parallel_invoke(
-            [&] { fill(node.lower_child(), std::move(sides.below), references); },
-            [&] { fill(node.upper_child(), std::move(sides.above), upper_references); });
+        parallel_invoke([&] { fill(node.lower_child(), sides.take_below(), references); },
+                        [&] { fill(node.upper_child(), sides.take_above(), upper_references); });
+        const MeteredBytes upper_bytes(division_.meter, upper_references);
         references.insert(references.end(), upper_references.begin(), upper_references.end());
     }
 
@@ -65,8 +66,7 @@ private:
     }
 
     std::vector<KdNode>& nodes_;
-    PrimitiveSetView primitives_;
-    Clipping clipping_;
+    Division division_;
 };
 
 // Gives every leaf its range, now that all counts are known.
@@ -90,11 +90,12 @@ void place_references(std::vector<KdNode>& nodes, std::uint64_t reference_count)
 
 }  // namespace
 
-KdTree refill(Skeleton&& skeleton, PrimitiveSetView primitives, const BuildOptions& options) {
+KdTree refill(Skeleton&& skeleton, PrimitiveSetView primitives, const BuildOptions& options,
+              MemoryMeter* meter) {
     const Aabb box = skeleton.bounds();
     std::vector<KdNode> nodes = std::move(skeleton).release_nodes();
     std::vector<std::uint32_t> references;
-    Refill(nodes, primitives, options.split.clipping)
+    Refill(nodes, {primitives, options.split.clipping, meter})
         .fill(0, whole_fragments(primitives), references);
     place_references(nodes, references.size());
     return {std::move(nodes), std::move(references), box};

@@ -4,12 +4,13 @@
 
 namespace coppice {
 
-KdTree refine(KdTree&& tree, PrimitiveSetView primitives, const BuildOptions& options) {
+KdTree refine(KdTree&& tree, PrimitiveSetView primitives, const BuildOptions& options,
+              MemoryMeter* meter) {
     switch (options.growth) {
         case Growth::none:
             return std::move(tree);
         case Growth::kd:
-            return grow_kd(std::move(tree), primitives, options);
+            return grow_kd(std::move(tree), primitives, options, meter);
     }
     return std::move(tree);
 }

@@ -1,6 +1,8 @@
 #include "coppice/base/error.h"
 #include "coppice/build/split_finder.h"
 
+#include "build/split/binned_split.h"
+#include "build/split/exact_split.h"
 #include "build/split/median_split.h"
 #include "build/split/midpoint_split.h"
 #include "build/split/sah_sweep.h"
@@ -17,6 +19,8 @@ std::span<const SplitFinderEntry> split_finder_registry() {
     static const SahSweep sah;
     static const MedianSplit median;
     static const MidpointSplit midpoint;
+    static const ExactSplit exact;
+    static const BinnedSplit binned;
     static const std::array entries{
         SplitFinderEntry{"sah", "cheapest plane by the surface area heuristic, longest axis first",
                          sah},
@@ -24,6 +28,10 @@ std::span<const SplitFinderEntry> split_finder_registry() {
                          median},
         SplitFinderEntry{"midpoint", "plane through the middle of the node's longest axis",
                          midpoint},
+        SplitFinderEntry{"exact", "cheapest plane by the surface area heuristic on any axis",
+                         exact},
+        SplitFinderEntry{
+            "binned", "as exact in small nodes; from bins, then moved to a fragment end", binned},
     };
     return entries;
 }

@@ -17,14 +17,6 @@ void require_at_most(std::uint64_t count, std::uint64_t limit, const char* what)
 
 constexpr std::uint64_t max_reference_count = std::numeric_limits<std::uint32_t>::max();
 
-KdNode relocated(const KdNode& node, std::uint32_t node_offset, std::uint32_t reference_offset) {
-    if (node.is_leaf()) {
-        return KdNode::make_leaf(node.first_reference() + reference_offset, node.reference_count(),
-                                 node.in_sample());
-    }
-    return KdNode::make_inner(node.plane(), node.planar_side(), node.lower_child() + node_offset);
-}
-
 }  // namespace
 
 void make_leaf(Subtree& tree, std::uint32_t slot, std::span<const Fragment> fragments) {
@@ -44,18 +36,18 @@ std::uint32_t make_inner(Subtree& tree, std::uint32_t slot, Plane plane, PlanarS
     return lower_child;
 }
 
-void splice(Subtree& tree, std::uint32_t slot, const Subtree& part) {
-    require_at_most(tree.nodes.size() + part.nodes.size(), KdNode::max_payload, "nodes");
-    require_at_most(tree.references.size() + part.references.size(), max_reference_count,
-                    "references");
-    // Node i >= 1 of the part lands at tree.nodes.size() + i - 1.
-    const auto node_offset = static_cast<std::uint32_t>(tree.nodes.size()) - 1;
-    const auto reference_offset = static_cast<std::uint32_t>(tree.references.size());
-    tree.nodes[slot] = relocated(part.nodes[0], node_offset, reference_offset);
-    for (std::size_t i = 1; i < part.nodes.size(); ++i) {
-        tree.nodes.push_back(relocated(part.nodes[i], node_offset, reference_offset));
+KdNode relocated(const KdNode& node, std::uint32_t node_offset,
+                 std::uint32_t reference_offset) noexcept {
+    if (node.is_leaf()) {
+        return KdNode::make_leaf(node.first_reference() + reference_offset, node.reference_count(),
+                                 node.in_sample());
     }
-    tree.references.insert(tree.references.end(), part.references.begin(), part.references.end());
+    return KdNode::make_inner(node.plane(), node.planar_side(), node.lower_child() + node_offset);
+}
+
+void require_possible(std::uint64_t node_count, std::uint64_t reference_count) {
+    require_at_most(node_count, KdNode::max_payload, "nodes");
+    require_at_most(reference_count, max_reference_count, "references");
 }
 
 }  // namespace coppice

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "coppice/base/parallel.h"
 #include "coppice/build/split_finder.h"
 #include "coppice/geom/aabb.h"
 #include "coppice/tree/kd_node.h"
@@ -16,10 +15,12 @@ namespace coppice {
 struct Subtree {
     std::vector<KdNode> nodes{KdNode{}};
     std::vector<std::uint32_t> references;
-};
 
-/// Work on fewer fragments than this is not worth a task of its own.
-inline constexpr std::size_t parallel_fragment_count = 4096;
+    /// What both arrays have allocated.
+    [[nodiscard]] std::uint64_t capacity_bytes() const noexcept {
+        return nodes.capacity() * sizeof(KdNode) + references.capacity() * sizeof(std::uint32_t);
+    }
+};
 
 /// Makes node `slot` a leaf that refers to the given fragments. Throws Error(limit) where counts
 /// pass what a node can hold.
@@ -29,25 +30,11 @@ void make_leaf(Subtree& tree, std::uint32_t slot, std::span<const Fragment> frag
 /// lower child's index. Throws Error(limit).
 std::uint32_t make_inner(Subtree& tree, std::uint32_t slot, Plane plane, PlanarSide planar_side);
 
-/// Puts a whole subtree in the place of node `slot`; its other nodes and references are appended.
-void splice(Subtree& tree, std::uint32_t slot, const Subtree& part);
+/// The node as it is once its arrays have moved on by so many nodes and references.
+[[nodiscard]] KdNode relocated(const KdNode& node, std::uint32_t node_offset,
+                               std::uint32_t reference_offset) noexcept;
 
-/// Builds both children of a node, the lower at `lower_slot` and the upper after it, with
-/// callables (Subtree&, slot): in place if there are few fragments, else in parallel and spliced.
-/// The result is the same.
-template <typename BuildLower, typename BuildUpper>
-void build_children(Subtree& tree, std::uint32_t lower_slot, std::size_t fragment_count,
-                    BuildLower&& build_lower, BuildUpper&& build_upper) {
-    if (fragment_count < parallel_fragment_count) {
-        build_lower(tree, lower_slot);
-        build_upper(tree, lower_slot + 1);
-        return;
-    }
-    Subtree lower;
-    Subtree upper;
-    parallel_invoke([&] { build_lower(lower, 0U); }, [&] { build_upper(upper, 0U); });
-    splice(tree, lower_slot, lower);
-    splice(tree, lower_slot + 1, upper);
-}
+/// Throws Error(limit) if a tree cannot have so many nodes or references.
+void require_possible(std::uint64_t node_count, std::uint64_t reference_count);
 
 }  // namespace coppice

@@ -1,46 +1,72 @@
 #include "coppice/geom/triangle.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
 
 namespace coppice {
 namespace {
 
+using Corner = std::array<double, 3>;
+
 // A convex polygon: three corners, and at most one more for each of the six clip planes.
 struct Polygon {
-    std::array<Vec3d, 9> corners;
+    std::array<Corner, 9> corners;
     std::size_t count = 0;
-
-    void add(Vec3d corner) noexcept { corners[count++] = corner; }
 };
 
-// The part of a polygon with sign * p[axis] <= sign * position (Sutherland-Hodgman, one plane).
-Polygon clip(const Polygon& polygon, Axis axis, double position, double sign) noexcept {
-    Polygon inside;
-    for (std::size_t i = 0; i < polygon.count; ++i) {
-        const Vec3d& from = polygon.corners[i];
-        const Vec3d& to = polygon.corners[i + 1 == polygon.count ? 0 : i + 1];
-        const double from_distance = sign * (position - from[axis]);
-        const double to_distance = sign * (position - to[axis]);
-        if (from_distance >= 0.0) inside.add(from);
-        if ((from_distance >= 0.0) != (to_distance >= 0.0)) {
-            const double s = from_distance / (from_distance - to_distance);
-            Vec3d crossing = from + s * (to - from);
+constexpr Corner corner_at(const Vec3f& v) noexcept {
+    return {v.x, v.y, v.z};
+}
+
+// How far a corner is inside the half-space below (sign 1) or above (-1) a position on an axis.
+template <std::size_t axis, int sign>
+double depth_of(const Corner& corner, double position) noexcept {
+    return sign > 0 ? position - corner[axis] : corner[axis] - position;
+}
+
+// The part of a polygon in such a half-space (Sutherland-Hodgman, one plane).
+template <std::size_t axis, int sign>
+void clip(const Polygon& polygon, double position, Polygon& inside) noexcept {
+    inside.count = 0;
+    if (polygon.count == 0) return;
+    const Corner* from = polygon.corners.data();
+    const Corner* const last = from + polygon.count - 1;
+    double from_depth = depth_of<axis, sign>(*from, position);
+    for (;; ++from) {
+        const Corner& to = from == last ? polygon.corners[0] : from[1];
+        const double to_depth = depth_of<axis, sign>(to, position);
+        if (from_depth >= 0.0) inside.corners[inside.count++] = *from;
+        const bool crosses = (from_depth >= 0.0) != (to_depth >= 0.0);
+        if (crosses && inside.count < inside.corners.size()) {
+            const double s = from_depth / (from_depth - to_depth);
+            Corner& crossing = inside.corners[inside.count++];
+            for (std::size_t i = 0; i < 3; ++i)
+                crossing[i] = (*from)[i] + s * (to[i] - (*from)[i]);
             crossing[axis] = position;
-            if (inside.count < inside.corners.size()) inside.add(crossing);
         }
+        if (from == last) return;
+        from_depth = to_depth;
     }
-    return inside;
+}
+
+// The float before `x`, which is finite.
+float float_before(float x) noexcept {
+    if (x == 0.0F) return -std::numeric_limits<float>::denorm_min();
+    const auto bits = std::bit_cast<std::uint32_t>(x);
+    return std::bit_cast<float>(x > 0.0F ? bits - 1 : bits + 1);
 }
 
 float round_down(double x) noexcept {
     const auto nearest = static_cast<float>(x);
-    return nearest > x ? std::nextafter(nearest, -Aabb::infinity) : nearest;
+    return nearest > x ? float_before(nearest) : nearest;
 }
 
 float round_up(double x) noexcept {
-    const auto nearest = static_cast<float>(x);
-    return nearest < x ? std::nextafter(nearest, Aabb::infinity) : nearest;
+    return -round_down(-x);
 }
 
 // An upper bound of the rounding error of all clip steps, per axis: each crossing is off by a few
@@ -63,22 +89,54 @@ bool is_inside(const Aabb& inner, const Aabb& outer) noexcept {
 // The rounded box of a clipped polygon, within `limits`: so that it is conservative and yet as
 // flat as the triangle itself where that lies in an axis-parallel plane.
 Aabb rounded_bounds(const Polygon& polygon, const Vec3d& error, const Aabb& limits) noexcept {
+    Corner lower = polygon.corners[0];
+    Corner upper = lower;
+    for (std::size_t i = 1; i < polygon.count; ++i) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            lower[axis] = std::min(lower[axis], polygon.corners[i][axis]);
+            upper[axis] = std::max(upper[axis], polygon.corners[i][axis]);
+        }
+    }
     Aabb box;
     for (const Axis axis : all_axes) {
-        double lower = polygon.corners[0][axis];
-        double upper = lower;
-        for (std::size_t i = 1; i < polygon.count; ++i) {
-            lower = std::min(lower, polygon.corners[i][axis]);
-            upper = std::max(upper, polygon.corners[i][axis]);
-        }
+        const auto index = static_cast<std::size_t>(axis);
         const float least = limits.lower[axis];
         const float most = limits.upper[axis];
         // In this order a corner that is NaN gives the limits.
-        box.lower[axis] = std::min(most, std::max(least, round_down(lower - error[axis])));
-        box.upper[axis] = std::max(least, std::min(most, round_up(upper + error[axis])));
+        box.lower[axis] = std::min(most, std::max(least, round_down(lower[index] - error[axis])));
+        box.upper[axis] = std::max(least, std::min(most, round_up(upper[index] + error[axis])));
     }
     return box;
 }
+
+// Clips a polygon to the faces of a box that its own box crosses, axis by axis.
+class Clipper {
+public:
+    explicit Clipper(const Triangle& triangle) noexcept {
+        for (const Vec3f& corner : triangle)
+            polygon_->corners[polygon_->count++] = corner_at(corner);
+    }
+
+    template <std::size_t index>
+    void clip_axis(const Aabb& bounds, const Aabb& box, const Vec3d& error) noexcept {
+        constexpr auto axis = static_cast<Axis>(index);
+        if (bounds.lower[axis] < box.lower[axis]) {
+            clip<index, -1>(*polygon_, box.lower[axis] - error[axis], *clipped_);
+            std::swap(polygon_, clipped_);
+        }
+        if (bounds.upper[axis] > box.upper[axis]) {
+            clip<index, 1>(*polygon_, box.upper[axis] + error[axis], *clipped_);
+            std::swap(polygon_, clipped_);
+        }
+    }
+
+    [[nodiscard]] const Polygon& polygon() const noexcept { return *polygon_; }
+
+private:
+    std::array<Polygon, 2> buffers_;
+    Polygon* polygon_ = buffers_.data();
+    Polygon* clipped_ = buffers_.data() + 1;
+};
 
 }  // namespace
 
@@ -102,18 +160,11 @@ Aabb clipped_triangle_bounds(const Triangle& triangle, const Aabb& box) noexcept
     if (limits.is_empty()) return {};
 
     const Vec3d error = clip_error(bounds);
-    Polygon polygon;
-    for (const Vec3f& corner : triangle)
-        polygon.add(to_double(corner));
-    for (const Axis axis : all_axes) {
-        if (bounds.lower[axis] < box.lower[axis]) {
-            polygon = clip(polygon, axis, box.lower[axis] - error[axis], -1.0);
-        }
-        if (bounds.upper[axis] > box.upper[axis]) {
-            polygon = clip(polygon, axis, box.upper[axis] + error[axis], 1.0);
-        }
-    }
-    return polygon.count == 0 ? Aabb{} : rounded_bounds(polygon, error, limits);
+    Clipper clipper(triangle);
+    clipper.clip_axis<0>(bounds, box, error);
+    clipper.clip_axis<1>(bounds, box, error);
+    clipper.clip_axis<2>(bounds, box, error);
+    return clipper.polygon().count == 0 ? Aabb{} : rounded_bounds(clipper.polygon(), error, limits);
 }
 
 }  // namespace coppice

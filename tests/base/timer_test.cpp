@@ -20,5 +20,17 @@ TEST(Timer, CountsSecondsAndRestarts) {
     EXPECT_LT(timer.seconds(), first);
 }
 
+TEST(CpuTimer, CountsWorkAndNotSleep) {
+    CpuTimer cpu;
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    EXPECT_LT(cpu.seconds(), 0.025);
+    cpu.restart();
+    const Timer wall;
+    while (cpu.seconds() < 0.01 && wall.seconds() < 10.0) {
+    }
+    EXPECT_GE(cpu.seconds(), 0.01);
+    EXPECT_GT(process_cpu_seconds(), 0.0);
+}
+
 }  // namespace
 }  // namespace coppice::test

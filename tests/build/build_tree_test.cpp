@@ -235,12 +235,22 @@ TEST(BuildKdTree, ReportsWhatItDid) {
     EXPECT_EQ(report.sample_count, 100U);
     EXPECT_EQ(report.statistics.node_count, tree.nodes().size());
     EXPECT_GT(report.statistics.sah_cost, 2.0);
-    for (const double seconds : {report.seconds.sample, report.seconds.build, report.seconds.empty,
-                                 report.seconds.refill, report.seconds.refine}) {
-        EXPECT_GE(seconds, 0.0);
-        EXPECT_LT(seconds, 60.0);
+    const StageReports& stages = report.stages;
+    for (const StageReport& stage :
+         {stages.sample, stages.build, stages.empty, stages.refill, stages.refine}) {
+        EXPECT_GE(stage.wall_seconds, 0.0);
+        EXPECT_LT(stage.wall_seconds, 60.0);
+        EXPECT_GE(stage.cpu_seconds, 0.0);
+        EXPECT_GT(stage.items, 0U);
     }
-    EXPECT_GT(report.seconds.total(), 0.0);
+    EXPECT_GT(stages.wall_seconds(), 0.0);
+    EXPECT_EQ(stages.sample.items, 100U);
+    EXPECT_EQ(stages.build.items, stages.empty.items);
+    EXPECT_EQ(stages.refine.items, tree.references().size());
+    EXPECT_EQ(report.tree_bytes, tree.byte_count());
+    EXPECT_GE(report.peak_bytes, report.tree_bytes + 1000 * sizeof(Aabb));
+    EXPECT_LT(report.peak_bytes, 1000 * report.tree_bytes);
+    EXPECT_FALSE(report.estimate.has_value());
     EXPECT_TRUE(build_kd_tree(mesh.view(), options) == tree) << "with and without a report";
 }
 

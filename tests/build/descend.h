@@ -19,7 +19,8 @@ void descend(const KdTree& tree, PrimitiveSetView primitives, Clipping clipping,
     visit(at, std::as_const(fragments));
     const KdNode& node = tree.nodes()[at.index];
     if (node.is_leaf()) return;
-    Partition sides = partition(fragments, node.plane(), node.planar_side(), primitives, clipping);
+    Partition sides =
+        partition(fragments, node.plane(), node.planar_side(), {primitives, clipping});
     descend(tree, primitives, clipping,
             {node.lower_child(), below(at.box, node.plane()), at.depth + 1}, std::move(sides.below),
             visit);

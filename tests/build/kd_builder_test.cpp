@@ -15,7 +15,8 @@ KdTree tree_of(const TriangleMesh& mesh, const StopRule& stop, int depth = 0,
                const BuildOptions& options = {}) {
     const TriangleMeshView view = mesh.view();
     const Aabb box = bounds_of_all(view);
-    Subtree built = KdBuilder(view, options, stop).build(whole_fragments(view), box, depth);
+    Subtree built =
+        assemble(KdBuilder(view, options, stop).build(whole_fragments(view), {box, depth}));
     return {std::move(built.nodes), std::move(built.references), box};
 }
 
@@ -63,7 +64,8 @@ TEST(KdBuilder, SplitsSinglePrimitivesOnlyIfThatPays) {
     const BuildOptions cheap{.cost = {.traversal = 0.0}};
     const TriangleMeshView view = mesh.view();
     const Aabb large{{-9, -9, -9}, {9, 9, 9}};
-    Subtree built = KdBuilder(view, cheap, to_the_end).build(whole_fragments(view), large, 0);
+    Subtree built =
+        assemble(KdBuilder(view, cheap, to_the_end).build(whole_fragments(view), {large}));
     EXPECT_EQ(built.nodes.size(), 13U) << "six cuts";
 }
 

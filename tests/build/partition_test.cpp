@@ -46,10 +46,10 @@ TEST(Partition, KeepsTheOrderAndPutsPlanarsOnTheirSide) {
     const std::vector<Fragment> fragments = whole_fragments(boxes);
     const Plane plane{Axis::x, 2.0F};
     for (const Clipping clipping : {Clipping::perfect, Clipping::bounding_box}) {
-        const Partition low = partition(fragments, plane, PlanarSide::below, boxes, clipping);
+        const Partition low = partition(fragments, plane, PlanarSide::below, {boxes, clipping});
         EXPECT_THAT(ids_of(low.below), ElementsAre(0, 1, 2, 4, 5));
         EXPECT_THAT(ids_of(low.above), ElementsAre(2, 3, 6));
-        const Partition high = partition(fragments, plane, PlanarSide::above, boxes, clipping);
+        const Partition high = partition(fragments, plane, PlanarSide::above, {boxes, clipping});
         EXPECT_THAT(ids_of(high.below), ElementsAre(0, 2, 5));
         EXPECT_THAT(ids_of(high.above), ElementsAre(1, 2, 3, 4, 6));
         EXPECT_EQ(low.below[2].box, at(1, 2));
@@ -64,11 +64,11 @@ TEST(Partition, ClipsAsAsked) {
     const std::vector<Fragment> fragments = whole_fragments(view);
     const Plane plane{Axis::x, 1.0F};
     const Partition perfect =
-        partition(fragments, plane, PlanarSide::below, view, Clipping::perfect);
+        partition(fragments, plane, PlanarSide::below, {view, Clipping::perfect});
     EXPECT_FLOAT_EQ(perfect.above.at(0).box.upper.y, 1.0F);
     EXPECT_EQ(perfect.below.at(0).box.upper.y, 2.0F);
     const Partition plain =
-        partition(fragments, plane, PlanarSide::below, view, Clipping::bounding_box);
+        partition(fragments, plane, PlanarSide::below, {view, Clipping::bounding_box});
     EXPECT_EQ(plain.above.at(0).box.upper.y, 2.0F);
 }
 
@@ -84,8 +84,8 @@ public:
 
 TEST(Partition, LosesNothingThatClippingDenies) {
     const DenyingSet set;
-    const Partition sides =
-        partition(whole_fragments(set), {Axis::x, 1.0F}, PlanarSide::below, set, Clipping::perfect);
+    const Partition sides = partition(whole_fragments(set), {Axis::x, 1.0F}, PlanarSide::below,
+                                      {set, Clipping::perfect});
     ASSERT_EQ(sides.below.size(), 1U);
     ASSERT_EQ(sides.above.size(), 1U);
     EXPECT_EQ(sides.below[0].box, at(0, 1));
@@ -107,7 +107,8 @@ TEST_P(PartitionScene, LosesNothingAndStaysInside) {
                                     ? any.box.lower[axis]
                                     : random.uniform(any.box.lower[axis], any.box.upper[axis])};
         for (const Clipping clipping : {Clipping::perfect, Clipping::bounding_box}) {
-            const Partition sides = partition(fragments, plane, PlanarSide::above, view, clipping);
+            const Partition sides =
+                partition(fragments, plane, PlanarSide::above, {view, clipping});
             std::vector<bool> is_seen(fragments.size(), false);
             for (const Fragment& fragment : sides.below) {
                 is_seen[fragment.id] = true;

@@ -18,7 +18,7 @@ expect_stderr '^Usage: coppice COMMAND'
 expect_stderr '^  experiment '
 
 # Every command has help with an example; help is not an error.
-for command in experiment info list generate; do
+for command in experiment build bench info list generate; do
     expect_exit 0 coppice "$command" --help
     expect_stderr_empty
     expect_stdout "^Usage: coppice $command"
@@ -77,6 +77,11 @@ wrong "--protocols: unknown name 'grwon' \(did you mean 'grown'\?\); there are: 
 wrong "--split: unknown name 'sha' \(did you mean 'sah'\?\); there are: sah, median, midpoint$" \
     experiment x.obj --split sha
 wrong "--sampler: unknown name 'best'; there are: uniform" experiment x.obj --sampler best
+wrong "--method: unknown name 'fsat' \(did you mean 'fast'\?\); there are: exact, binned, sampled," \
+    build x.obj --method fsat
+wrong "--methods: unknown name 'embree'; there are: exact," bench x.obj --methods exact,embree
+wrong "--rays: unknown name 'ambient'; there are: primary, shadow, diffuse$" \
+    bench x.obj --rays ambient
 wrong "KIND: unknown name 'teapot'; there are: terrain, spheres, soup, city$" \
     generate teapot -o x.obj
 wrong 'no KIND is given; there are: terrain' generate
@@ -84,6 +89,22 @@ wrong '--out: no file is given; example: ' generate soup
 wrong "--triangles: '0' is not a whole number in \[1, 100000000\]" \
     generate soup --triangles 0 -o x.obj
 wrong "--seed: '-1' is not " generate soup --seed -1 -o x.obj
+
+wrong 'no scene is given; example: coppice build ' build --json
+wrong 'no scene is given; example: coppice bench ' bench
+for share in 0 0% 101% 1.5 -1% x %; do
+    wrong "--sample: '$share' is not a share in \(0, 1\] or \(0%, 100%\]; example: --sample 1%$" \
+        build x.obj --sample="$share"
+done
+for point in 1,2 1,2,3,4 1,,3 a,b,c 1,2,inf 1,2,nan; do
+    wrong "--eye: '$point' is not three finite numbers with commas between; example: --eye " \
+        bench x.obj --eye="$point"
+done
+wrong "--threads: '0' is not a whole number in \[1, 1024\]" bench x.obj --threads 1,0
+wrong "--runs: '0' is not a whole number in \[1, 1000\]" bench x.obj --runs 0
+wrong "--size: '9000' is not a whole number in \[1, 8192\]" bench x.obj --size 9000
+wrong "--fov: '180' is not a number in \(0, 180\)" bench x.obj --fov 180
+wrong '--json: no file is named; example: ' bench x.obj --json folder/
 
 # Nothing of all this has written anything.
 expect_equal "$(ls)" ''

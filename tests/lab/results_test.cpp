@@ -18,7 +18,7 @@ ResultRow example_row() {
     row.seed = 3;
     row.report.primitive_count = 871414;
     row.report.sample_count = 871;
-    row.report.seconds = {0.001, 0.25, 1e-7, 0.0625, 0.0};
+    row.report.stages = {{0.001}, {0.25}, {1e-7}, {0.0625}, {0.0}};
     row.report.statistics.node_count = 101;
     row.report.statistics.inner_count = 50;
     row.report.statistics.leaf_count = 51;

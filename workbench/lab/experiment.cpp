@@ -142,7 +142,7 @@ private:
                 seed,
                 report,
                 ratio(report.statistics.sah_cost, reference.statistics.sah_cost),
-                ratio(report.seconds.total(), reference.seconds.total())};
+                ratio(report.stages.wall_seconds(), reference.stages.wall_seconds())};
         }
         std::move(rows.begin(), rows.end(), std::back_inserter(result_.rows));
     }

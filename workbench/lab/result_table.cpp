@@ -86,22 +86,23 @@ std::string header_line() {
 
 std::string group_line(const Group& group, bool is_recommended) {
     const auto count = [&](auto&& value) { return fmt::format("{:.0f}", group.mean(value)); };
-    const auto seconds = [&](double StageSeconds::*stage) {
-        return seconds_text(
-            group.mean([&](const ResultRow& row) { return row.report.seconds.*stage; }));
+    const auto seconds = [&](StageReport StageReports::*stage) {
+        return seconds_text(group.mean(
+            [&](const ResultRow& row) { return (row.report.stages.*stage).wall_seconds; }));
     };
     const auto statistic = [](auto TreeStatistics::*member) {
         return [member](const ResultRow& row) { return row.report.statistics.*member; };
     };
-    const double total = group.mean([](const ResultRow& r) { return r.report.seconds.total(); });
+    const double total =
+        group.mean([](const ResultRow& r) { return r.report.stages.wall_seconds(); });
     const double relative = group.mean([](const ResultRow& r) { return r.relative_cost; });
     return fmt::format(
         line_format, is_recommended ? "*" : "", group.first().sample_percent,
         count(statistic(&TreeStatistics::node_count)),
         count(statistic(&TreeStatistics::leaf_count)), count(statistic(&TreeStatistics::max_level)),
-        count(statistic(&TreeStatistics::reference_count)), seconds(&StageSeconds::sample),
-        seconds(&StageSeconds::build), seconds(&StageSeconds::empty),
-        seconds(&StageSeconds::refill), seconds(&StageSeconds::refine), seconds_text(total),
+        count(statistic(&TreeStatistics::reference_count)), seconds(&StageReports::sample),
+        seconds(&StageReports::build), seconds(&StageReports::empty),
+        seconds(&StageReports::refill), seconds(&StageReports::refine), seconds_text(total),
         cost_text(group.mean(statistic(&TreeStatistics::sah_cost))), relative_text(relative));
 }
 

@@ -19,4 +19,19 @@ private:
     Clock::time_point start_ = Clock::now();
 };
 
+/// Processor seconds that all threads of this process have used so far, together.
+[[nodiscard]] double process_cpu_seconds() noexcept;
+
+/// A stopwatch on the processor time of the whole process, running from its construction.
+class CpuTimer {
+public:
+    /// Seconds since construction or the last restart().
+    [[nodiscard]] double seconds() const noexcept { return process_cpu_seconds() - start_; }
+
+    void restart() noexcept { start_ = process_cpu_seconds(); }
+
+private:
+    double start_ = process_cpu_seconds();
+};
+
 }  // namespace coppice

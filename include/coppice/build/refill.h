@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/base/memory_meter.h"
 #include "coppice/build/build_options.h"
 #include "coppice/geom/primitive_set.h"
 #include "coppice/tree/kd_tree.h"
@@ -12,6 +13,6 @@ namespace coppice {
 /// Throws Error(limit) if there would be more than 2^32 - 1 references.
 /// Source: [Tsiompikas2022] sec. 4.3.3.
 [[nodiscard]] KdTree refill(Skeleton&& skeleton, PrimitiveSetView primitives,
-                            const BuildOptions& options);
+                            const BuildOptions& options, MemoryMeter* meter = nullptr);
 
 }  // namespace coppice

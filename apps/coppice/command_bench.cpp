@@ -1,0 +1,165 @@
+// coppice bench: our methods and Embree in turns, within one process: build times, memory, rays.
+
+#include "coppice/build/method.h"
+
+#include "command.h"
+#include "interrupts.h"
+#include "lab/bench.h"
+#include "lab/contestant.h"
+#include "lab/named.h"
+#include "lab/output_folder.h"
+#include "lab/progress_line.h"
+#include "options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+namespace coppice::app {
+
+namespace {
+
+/// The options as the parser fills them in.
+struct Request {
+    std::vector<std::string> scenes;
+    std::string json;
+    lab::BenchOptions options;
+};
+
+void add_who(CLI::App& parser, lab::BenchOptions& options) {
+    options.methods = {"sampled"};
+    for (const std::string_view name : {"embree-medium", "embree-high"}) {
+        const auto available = names_in(lab::peer_registry());
+        const bool is_there =
+            std::find(available.begin(), available.end(), name) != available.end();
+        if (is_there) options.peers.emplace_back(name);
+    }
+    add_names(parser,
+              {"--methods", "LIST", listing("Ours", names_in(method_registry())),
+               fmt::format("{}", fmt::join(options.methods, ","))},
+              options.methods, names_in(method_registry()));
+    if (lab::peer_registry().empty()) {
+        const auto refuse = [](const std::vector<std::string>&) {
+            throw UsageError(
+                "--peers: this program was built without Embree; install libembree-dev and build "
+                "it again");
+        };
+        add_list_option(parser, {"--peers", "LIST", "None: built without Embree", ""}, refuse);
+        return;
+    }
+    add_names(parser,
+              {"--peers", "LIST", listing("Of Embree", names_in(lab::peer_registry())),
+               fmt::format("{}", fmt::join(options.peers, ","))},
+              options.peers, names_in(lab::peer_registry()));
+}
+
+void add_how(CLI::App& parser, lab::BenchOptions& options) {
+    add_list_option(parser, {"--threads", "LIST", "Measure with each of these numbers", "1,2"},
+                    [&options](const std::vector<std::string>& texts) {
+                        options.threads.clear();
+                        for (const std::string& item : parse_list("--threads", texts, "1,2")) {
+                            options.threads.push_back(
+                                static_cast<int>(parse_whole("--threads", item, 1, 1024, "1,2")));
+                        }
+                    });
+    add_whole(parser, {"--runs", "N", "Runs after the first; medians are taken", "5"}, options.runs,
+              1, lab::BenchOptions::max_runs);
+    add_list_option(
+        parser,
+        {"--rays", "LIST", "Kinds of rays: " + lab::names_of(lab::ray_kind_registry()),
+         "primary,shadow,diffuse"},
+        [&options](const std::vector<std::string>& texts) {
+            const auto registry = lab::ray_kind_registry();
+            options.rays.clear();
+            for (const std::string& name : parse_list("--rays", texts, "primary,diffuse")) {
+                require_name("--rays", name, names_in(registry));
+                options.rays.push_back(lab::find_named(registry, name, "kind of rays").kind);
+            }
+        });
+}
+
+void add_view(CLI::App& parser, lab::BenchOptions& options) {
+    add_whole(parser, {"--size", "N", "Pixels of the image, each way", "1024"}, options.size, 1,
+              lab::BenchOptions::max_size);
+    add_vector(parser, {"--eye", "X,Y,Z", "Where the camera is", "all in view"},
+               options.camera.eye);
+    add_vector(parser, {"--look-at", "X,Y,Z", "What it looks at", "the middle"},
+               options.camera.look_at);
+    add_vector(parser, {"--up", "X,Y,Z", "What is up in the image", "y, of flat scenes z"},
+               options.camera.up);
+    add_number(parser, {"--fov", "DEGREES", "Field of view from bottom to top", "45"},
+               options.camera.fov, {0.0, 180.0, "a number in (0, 180)", false, false});
+    add_whole(parser, {"--seed", "N", "Of the bounces' directions", "1"}, options.seed, 0,
+              std::numeric_limits<std::int64_t>::max());
+}
+
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+    return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
+void check_output(const std::filesystem::path& file) {
+    const std::string name = file.filename().string();
+    if (name.empty()) throw UsageError("--json: no file is named; example: --json bench.json");
+    const DeferInterrupts no_trace;
+    lab::check_writable(folder_of(file), std::array{std::string_view(name)});
+}
+
+void write_output(const std::filesystem::path& file, const std::string& text) {
+    const DeferInterrupts whole_file;
+    lab::write_all(folder_of(file), std::array{lab::OutputFile{file.filename().string(), text}});
+}
+
+void run_request(Request& request, Output& output) {
+    lab::BenchOptions& options = request.options;
+    options.scenes.assign(request.scenes.begin(), request.scenes.end());
+    if (!request.json.empty()) check_output(request.json);
+
+    lab::ProgressLine progress(stderr);
+    lab::BenchObserver observer;
+    observer.on_progress = [&](const std::string& step, std::optional<double> remaining_seconds) {
+        progress.show(step, remaining_seconds);
+    };
+    observer.on_scene = [&](const lab::BenchScene& scene, std::span<const lab::BenchRow> rows) {
+        progress.clear();
+        output.print(lab::bench_table(scene, rows) + '\n');
+    };
+    const lab::BenchResult result = lab::run_bench(options, observer);
+    progress.clear();
+    if (const std::string ratios = lab::ratio_table(result.rows); !ratios.empty()) {
+        output.print(ratios);
+    }
+    if (request.json.empty()) return;
+    write_output(request.json, lab::bench_document(options, result).dump(2) + '\n');
+    output.print(fmt::format("written: {}\n", request.json));
+}
+
+}  // namespace
+
+Command add_bench(CLI::App& program) {
+    CLI::App* parser = program.add_subcommand(
+        "bench", "Measure building and tracing, in turns with Embree where there is one");
+    parser->allow_extras();
+    const auto request = std::make_shared<Request>();
+    add_scenes(*parser, request->scenes);
+    add_who(*parser, request->options);
+    add_how(*parser, request->options);
+    add_view(*parser, request->options);
+    add_text(*parser, {"--json", "FILE", "Also write all figures to a file", ""}, request->json);
+    parser->footer(
+        "Examples:\n"
+        "  coppice bench scenes/dragon.obj\n"
+        "  coppice bench scenes/dragon.obj --methods exact,binned --rays primary --threads 1\n"
+        "  coppice bench a.obj b.ply.gz --runs 11 --json bench.json\n"
+        "The names of methods and peers are explained by `coppice list`.");
+    return {parser, [parser, request](Output& output) {
+                require_scenes(*parser, request->scenes);
+                wipe_line_on_interrupt();
+                run_request(*request, output);
+            }};
+}
+
+}  // namespace coppice::app

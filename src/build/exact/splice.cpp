@@ -1,0 +1,77 @@
+// The children's sorted events without sorting: going through the parent's in order and sending
+// each to its fragment's side keeps them sorted, since slots keep their order, too. Only the new
+// events of clipped fragments, few at most nodes, are sorted, and merged in. Cost: O(n + m log m)
+// for m fragments across the plane. Source: [WaldHavran2006] sec. 4.3, steps 2 to 4.
+
+#include "build/exact/splice.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace coppice {
+namespace {
+
+// Sends the events of an axis to the children, except those of clipped fragments: to the lower one
+// in place.
+std::array<EventList, 2> divide_events(EventList events, std::size_t above_count,
+                                       const std::vector<std::uint32_t>& moved_to) {
+    std::array<EventList, 2> sides{std::move(events), EventList(2 * above_count)};
+    std::array<EventKey*, 2> ends{sides[0].data(), sides[1].data()};
+    for (const EventKey event : sides[0]) {
+        const std::uint32_t target = moved_to[slot_of(event)];
+        if (target == Classification::moved_anew) continue;
+        const std::size_t side = target >> 31;
+        *ends[side]++ = with_slot(event, target & ~Classification::in_upper_child);
+    }
+    for (std::size_t side = 0; side < 2; ++side)
+        sides[side].resize(static_cast<std::size_t>(ends[side] - sides[side].data()));
+    sides[0].shrink_to_fit();
+    return sides;
+}
+
+// Adds the events of the fragments in these slots.
+void merge_new(EventList& events, const std::vector<Fragment>& fragments,
+               const std::vector<std::uint32_t>& slots, Axis axis) {
+    const auto old_count = static_cast<std::ptrdiff_t>(events.size());
+    EventList added;
+    added.reserve(2 * slots.size());
+    for (const std::uint32_t slot : slots)
+        add_events(fragments[slot], slot, axis, added);
+    std::sort(added.begin(), added.end());
+    // From the back, so that no event is moved twice.
+    events.resize(events.size() + added.size());
+    auto from = events.begin() + old_count;
+    auto to = events.end();
+    while (!added.empty()) {
+        if (from != events.begin() && *(from - 1) > added.back()) {
+            *--to = *--from;
+        } else {
+            *--to = added.back();
+            added.pop_back();
+        }
+    }
+}
+
+}  // namespace
+
+ExactChildren splice(ExactNode&& node, const Classification& classification, Partition&& sides) {
+    const std::size_t count = node.fragments.size();
+    node.fragments = {};
+    ExactChildren children;
+    children.below.fragments = std::move(sides.below);
+    children.above.fragments = std::move(sides.above);
+    for_each_axis(count, [&](Axis axis) {
+        const auto index = static_cast<std::size_t>(axis);
+        auto [below, above] =
+            divide_events(std::move(node.events[index]), children.above.fragments.size(),
+                          classification.moved_to);
+        merge_new(below, children.below.fragments, classification.clipped_below, axis);
+        merge_new(above, children.above.fragments, classification.clipped_above, axis);
+        children.below.events[index] = std::move(below);
+        children.above.events[index] = std::move(above);
+    });
+    return children;
+}
+
+}  // namespace coppice

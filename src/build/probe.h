@@ -1,0 +1,56 @@
+#pragma once
+
+#include "coppice/build/build_options.h"
+#include "coppice/geom/aabb.h"
+#include "coppice/geom/primitive_set.h"
+#include "coppice/tree/kd_tree.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace coppice {
+
+/// A primitive's part in one of the pieces of a probe.
+struct ProbePart {
+    std::uint32_t id;
+    Aabb box;  ///< of the part
+    std::uint32_t piece;
+    bool is_centered;  ///< whether the primitive's box has its middle in the piece
+};
+
+/// Pieces of a scene: the parts of all primitives within some boxes, as a set of primitives of its
+/// own. Satisfies PrimitiveSet. What it is a probe of must outlive it.
+class Probe {
+public:
+    Probe(PrimitiveSetView primitives, std::vector<Aabb> pieces, std::vector<ProbePart> parts)
+        : primitives_(primitives), pieces_(std::move(pieces)), parts_(std::move(parts)) {}
+
+    [[nodiscard]] std::uint32_t size() const noexcept {
+        return static_cast<std::uint32_t>(parts_.size());
+    }
+
+    [[nodiscard]] Aabb bounds(std::uint32_t id) const noexcept { return parts_[id].box; }
+
+    [[nodiscard]] Aabb clipped_bounds(std::uint32_t id, const Aabb& box) const {
+        const ProbePart& part = parts_[id];
+        const Aabb inside = intersection(box, pieces_[part.piece]);
+        return inside.is_empty() ? Aabb{} : primitives_.clipped_bounds(part.id, inside);
+    }
+
+    /// How many primitives have their middle in one of the pieces. Every primitive has it in one
+    /// piece of the whole scene, so this over their number is the share of the scene probed.
+    [[nodiscard]] std::uint64_t centered_count() const noexcept;
+
+    /// The probe of every n-th piece of this one.
+    [[nodiscard]] Probe thinned(std::uint32_t n) const;
+
+private:
+    PrimitiveSetView primitives_;
+    std::vector<Aabb> pieces_;
+    std::vector<ProbePart> parts_;
+};
+
+/// Takes about one in `n` of some hundred pieces that the scene is divided into, evenly over it.
+[[nodiscard]] Probe take_probe(PrimitiveSetView primitives, std::uint32_t n);
+
+}  // namespace coppice

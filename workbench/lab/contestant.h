@@ -1,0 +1,63 @@
+#pragma once
+
+#include "coppice/build/method.h"
+#include "coppice/geom/ray.h"
+#include "coppice/geom/triangle_mesh.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace coppice::lab {
+
+/// What a build came to.
+struct BuildFigures {
+    double wall_seconds = 0.0;
+    double cpu_seconds = 0.0;
+    std::uint64_t bytes = 0;       ///< kept for tracing, beside the mesh itself
+    std::uint64_t peak_bytes = 0;  ///< at the height of the build; the mesh is not counted
+    std::optional<double> sah_cost;
+    std::optional<double> reference_count;
+};
+
+/// A structure to measure: one of our methods or a peer. Built, traced and freed over and over.
+class Contestant {
+public:
+    Contestant() = default;
+    Contestant(const Contestant&) = delete;
+    Contestant& operator=(const Contestant&) = delete;
+    virtual ~Contestant() = default;
+
+    /// Builds for a mesh, which must outlive what is built; call clear() first if there is
+    /// something built already. Only building is timed. `is_measured`: the tree is measured too,
+    /// which is not timed either; else cost, references and bytes may be those of the last time.
+    virtual BuildFigures build(TriangleMeshView mesh, bool is_measured) = 0;
+
+    /// Frees what was built.
+    virtual void clear() noexcept = 0;
+
+    /// The closest hit of each ray; t is infinite for a miss. Called from several threads at once.
+    virtual void intersect(std::span<const Ray> rays, std::span<Hit> hits) const noexcept = 0;
+
+    /// 1 for each ray that hits anything, else 0. Called from several threads at once.
+    virtual void occluded(std::span<const Ray> rays,
+                          std::span<std::uint8_t> flags) const noexcept = 0;
+};
+
+/// One of our methods, on so many threads.
+[[nodiscard]] std::unique_ptr<Contestant> make_contestant(const Method& method, int threads);
+
+/// Another library's structure under its name, with one line on what it is.
+struct Peer {
+    std::string_view name;
+    std::string_view summary;
+    std::unique_ptr<Contestant> (*make)(int threads);
+};
+
+/// The peers that this program was built with; none without Embree.
+[[nodiscard]] std::span<const Peer> peer_registry();
+
+}  // namespace coppice::lab

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "coppice/geom/ray.h"
+#include "coppice/geom/triangle_mesh.h"
+
+#include "render/camera.h"
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace coppice::lab {
+
+/// What a set of rays asks of a tree.
+enum class RayKind {
+    primary,  ///< one through each pixel of an image; closest hit
+    shadow,   ///< one from each primary hit to a point light; any hit
+    diffuse   ///< one bounce off each primary hit, cosine-weighted; closest hit
+};
+
+/// A kind of rays under its name, with one line on what it is.
+struct RayKindEntry {
+    std::string_view name;
+    std::string_view summary;
+    RayKind kind;
+};
+
+/// All kinds of rays, in the order of the enumeration.
+[[nodiscard]] std::span<const RayKindEntry> ray_kind_registry();
+
+/// One ray through each pixel of a square image, row by row from the top.
+[[nodiscard]] std::vector<Ray> primary_rays(const render::Camera& camera, int size);
+
+/// One ray from each hit of `rays` to the light, which is at t = 1. It starts a little off the
+/// surface, on the side that was hit. `hits[i]` belongs to `rays[i]`; a miss has an infinite t.
+[[nodiscard]] std::vector<Ray> shadow_rays(TriangleMeshView mesh, std::span<const Ray> rays,
+                                           std::span<const Hit> hits, Vec3f light);
+
+/// One ray from each hit of `rays` into a random direction, distributed as the cosine to the
+/// surface's normal; that of ray i depends on (seed, i) alone. Starts as a shadow ray does.
+[[nodiscard]] std::vector<Ray> diffuse_rays(TriangleMeshView mesh, std::span<const Ray> rays,
+                                            std::span<const Hit> hits, std::uint64_t seed);
+
+}  // namespace coppice::lab

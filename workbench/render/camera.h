@@ -1,0 +1,59 @@
+#pragma once
+
+#include "coppice/geom/aabb.h"
+#include "coppice/geom/ray.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+
+namespace coppice::render {
+
+/// A pinhole camera. `up` need not be perpendicular to the line of sight.
+struct Camera {
+    Vec3f eye{0.0F, 0.0F, 0.0F};
+    Vec3f look_at{0.0F, 0.0F, -1.0F};
+    Vec3f up{0.0F, 1.0F, 0.0F};
+    double fov = 45.0;  ///< degrees from the lower to the upper edge of the image, in (0, 180)
+};
+
+/// What of a camera is given; the rest is chosen by frame_box().
+struct CameraWish {
+    std::optional<Vec3f> eye;
+    std::optional<Vec3f> look_at;
+    std::optional<Vec3f> up;
+    double fov = 45.0;
+};
+
+/// A camera that sees all of a box in an image of `aspect` (width over height): from the side where
+/// the box appears largest, a little from above. Up is y, or z for a box flat in z. What is wished
+/// for is kept, and the rest chosen around it. An empty box is taken for the point 0.
+[[nodiscard]] Camera frame_box(const Aabb& box, const CameraWish& wish, double aspect);
+
+/// A place for a light that serves what a camera sees of a box: above and right of the eye, by part
+/// of the distance to what it looks at; within the box if the eye is.
+[[nodiscard]] Vec3f place_light(const Camera& camera, const Aabb& box);
+
+/// The rays of a camera through the centres of an image's pixels.
+class CameraRays {
+public:
+    /// Throws Error(invalid_argument) if the camera looks along its up vector or nowhere, if its
+    /// field of view is outside (0, 180), or if the image has no pixels.
+    CameraRays(const Camera& camera, int width, int height);
+
+    /// Pixel (0, 0) is the upper left one. The direction has unit length.
+    [[nodiscard]] Ray through(int x, int y) const noexcept;
+
+private:
+    Vec3f eye_;
+    Vec3d forward_;
+    Vec3d right_;  // to the right edge of the image
+    Vec3d up_;     // to its upper edge
+    int width_;
+    int height_;
+};
+
+/// Serializes all fields under their own names.
+void to_json(nlohmann::json& json, const Camera& camera);
+
+}  // namespace coppice::render
