@@ -48,7 +48,11 @@ BuildOptions options_of(const Request& request, const Method& method) {
 
 BuildReport build(const Method& method, const BuildOptions& options, const TriangleMesh& mesh) {
     BuildReport report;
-    static_cast<void>(build_kd_tree(mesh.view(), options, &report));
+    if (method.tree == TreeKind::wide) {
+        static_cast<void>(build_wide_bvh(mesh.view(), options, &report));
+    } else {
+        static_cast<void>(build_kd_tree(mesh.view(), options, &report));
+    }
     report.method = method.name;
     return report;
 }
@@ -64,7 +68,9 @@ void run_request(const Request& request, Output& output) {
         progress.show(names[i] + ": loading");
         const TriangleMesh mesh = load_mesh(files[i]);
         progress.show(names[i] + ": estimating");
-        const Estimate estimate = estimate_kd_tree(mesh.view(), options);
+        const Estimate estimate = method.tree == TreeKind::wide
+                                      ? estimate_wide_bvh(mesh.view(), options)
+                                      : estimate_kd_tree(mesh.view(), options);
         progress.show(names[i] + ": building", estimate.seconds);
         BuildReport report = build(method, options, mesh);
         report.estimate = estimate;

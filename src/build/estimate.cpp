@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace coppice {
 namespace {
@@ -24,6 +26,9 @@ constexpr std::uint32_t thinned_to = 4;  // one in so many of these
 
 // A scene of fewer primitives is probed as a whole: it would leave too little to judge by.
 constexpr std::uint32_t least_primitives = 16384;
+
+// A wide tree's probe is made of so many stretches of the mesh.
+constexpr std::uint32_t stretch_count = 16;
 
 struct ProbeBuild {
     double size;
@@ -73,6 +78,40 @@ Estimate estimate_kd_tree(PrimitiveSetView primitives, const BuildOptions& optio
             scale * static_cast<double>(report.tree_bytes),
             scale * static_cast<double>(report.peak_bytes),
             scale * larger.size * extrapolated_seconds(smaller, larger, scale)};
+}
+
+Estimate estimate_wide_bvh(TriangleMeshView mesh, const BuildOptions& options) {
+    check(options);
+    // Stretches of the mesh serve as pieces: no triangle is ever cut.
+    const auto stretch = static_cast<std::uint32_t>(
+        std::max<std::size_t>(1, mesh.triangles().size() / (one_in * stretch_count)));
+    const bool is_small = mesh.size() < least_primitives;
+    std::vector<TriangleIndices> probe;
+    for (std::size_t first = 0; first < mesh.size(); first += is_small ? 1 : one_in * stretch) {
+        const auto rest = mesh.triangles().subspan(first);
+        const auto part = rest.first(std::min<std::size_t>(is_small ? 1 : stretch, rest.size()));
+        probe.insert(probe.end(), part.begin(), part.end());
+    }
+    BuildOptions probing = options;
+    const bool is_sampled = mesh.size() >= options.wide.sampled_from;
+    probing.wide.sampled_from = is_sampled ? 0 : std::numeric_limits<std::uint32_t>::max();
+    const auto build = [&](std::span<const TriangleIndices> triangles) {
+        ProbeBuild built{static_cast<double>(triangles.size()), 0.0, {}};
+        static_cast<void>(build_wide_bvh({mesh.vertices(), triangles}, probing, &built.report));
+        built.seconds = built.report.stages.wall_seconds();
+        return built;
+    };
+    const auto quarter =
+        std::span(probe).first(is_small ? probe.size() : probe.size() / thinned_to);
+    static_cast<void>(build(quarter));
+    const ProbeBuild smaller = build(quarter);
+    const ProbeBuild larger = build(probe);
+    const double scale = mesh.size() == 0 ? 0.0 : mesh.size() / larger.size;
+    const BuildReport& report = larger.report;
+    return {scale * static_cast<double>(report.statistics.reference_count),
+            scale * static_cast<double>(report.tree_bytes),
+            scale * static_cast<double>(report.peak_bytes),
+            scale * larger.size * extrapolated_seconds(smaller, larger, std::max(1.0, scale))};
 }
 
 }  // namespace coppice

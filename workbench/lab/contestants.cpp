@@ -4,6 +4,7 @@
 #include "coppice/base/timer.h"
 #include "coppice/build/build_tree.h"
 #include "coppice/trace/intersect.h"
+#include "coppice/trace/wide_tracer.h"
 
 #include "lab/contestant.h"
 
@@ -11,20 +12,36 @@ namespace coppice::lab {
 
 namespace {
 
-/// A k-d tree.
+// What a report says of the tree and, as the call that made it did more than build, of the times.
+void note(const BuildReport& report, BuildFigures& figures) {
+    figures.wall_seconds = report.stages.wall_seconds();
+    figures.cpu_seconds = report.stages.cpu_seconds();
+    figures.bytes = report.tree_bytes;
+    figures.peak_bytes = report.peak_bytes;
+    figures.sah_cost = report.statistics.sah_cost;
+    figures.reference_count = static_cast<double>(report.statistics.reference_count);
+}
+
+// Builds by a callable that takes where to put a report, or null.
+template <typename Build>
+void build_into(BuildFigures& figures, bool is_measured, Build&& build) {
+    BuildReport report;
+    const Timer wall;
+    const CpuTimer cpu;
+    build(is_measured ? &report : nullptr);
+    figures.wall_seconds = wall.seconds();
+    figures.cpu_seconds = cpu.seconds();
+    if (is_measured) note(report, figures);
+}
+
 class KdContestant final : public Contestant {
 public:
     explicit KdContestant(BuildOptions options) : options_(std::move(options)) {}
 
     BuildFigures build(TriangleMeshView mesh, bool is_measured) override {
         mesh_ = mesh;
-        BuildReport report;
-        const Timer wall;
-        const CpuTimer cpu;
-        tree_ = build_kd_tree(mesh, options_, is_measured ? &report : nullptr);
-        figures_.wall_seconds = wall.seconds();
-        figures_.cpu_seconds = cpu.seconds();
-        if (is_measured) note(report);
+        build_into(figures_, is_measured,
+                   [&](BuildReport* report) { tree_ = build_kd_tree(mesh, options_, report); });
         return figures_;
     }
 
@@ -44,19 +61,39 @@ public:
     }
 
 private:
-    void note(const BuildReport& report) {
-        // The call did more than build: it measured.
-        figures_.wall_seconds = report.stages.wall_seconds();
-        figures_.cpu_seconds = report.stages.cpu_seconds();
-        figures_.bytes = report.tree_bytes;
-        figures_.peak_bytes = report.peak_bytes;
-        figures_.sah_cost = report.statistics.sah_cost;
-        figures_.reference_count = static_cast<double>(report.statistics.reference_count);
-    }
-
     BuildOptions options_;
     TriangleMeshView mesh_;
     KdTree tree_;
+    BuildFigures figures_;
+};
+
+class WideContestant final : public Contestant {
+public:
+    explicit WideContestant(BuildOptions options) : options_(std::move(options)) {}
+
+    BuildFigures build(TriangleMeshView mesh, bool is_measured) override {
+        build_into(figures_, is_measured, [&](BuildReport* report) {
+            tracer_ = WideTracer(build_wide_bvh(mesh, options_, report));
+        });
+        return figures_;
+    }
+
+    void clear() noexcept override { tracer_ = WideTracer(WideBvh()); }
+
+    void intersect(std::span<const Ray> rays, std::span<Hit> hits) const noexcept override {
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            hits[i] = tracer_.intersect(rays[i]).value_or(Hit{});
+    }
+
+    void occluded(std::span<const Ray> rays,
+                  std::span<std::uint8_t> flags) const noexcept override {
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            flags[i] = tracer_.occluded(rays[i]) ? 1 : 0;
+    }
+
+private:
+    BuildOptions options_;
+    WideTracer tracer_{WideBvh()};
     BuildFigures figures_;
 };
 
@@ -65,6 +102,7 @@ private:
 std::unique_ptr<Contestant> make_contestant(const Method& method, int threads) {
     BuildOptions options = method.options();
     options.threads = threads;
+    if (method.tree == TreeKind::wide) return std::make_unique<WideContestant>(std::move(options));
     return std::make_unique<KdContestant>(std::move(options));
 }
 
