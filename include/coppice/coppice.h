@@ -2,6 +2,8 @@
 
 // The whole public interface of coppice.
 
+#include "coppice/base/big_buffer.h"
+#include "coppice/base/cpu.h"
 #include "coppice/base/error.h"
 #include "coppice/base/memory_meter.h"
 #include "coppice/base/parallel.h"
@@ -34,7 +36,9 @@
 #include "coppice/scene/scene.h"
 #include "coppice/trace/brute_force.h"
 #include "coppice/trace/intersect.h"
+#include "coppice/trace/wide_tracer.h"
 #include "coppice/tree/kd_node.h"
 #include "coppice/tree/kd_tree.h"
 #include "coppice/tree/validate.h"
 #include "coppice/tree/walk.h"
+#include "coppice/tree/wide_bvh.h"

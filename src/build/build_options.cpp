@@ -28,6 +28,7 @@ void check(const BuildOptions& options) {
     require(split.max_leaf >= 1, "max leaf", split.max_leaf, "[1, 2^32)");
     require(split.bad_refines >= 1, "bad refines", split.bad_refines, "[1, 2^31)");
     require(options.threads >= 0, "threads", options.threads, "[0, 2^31)");
+    require(options.wide.cell_size >= 64, "cell size", options.wide.cell_size, "[64, 2^32)");
     check(options.cost);
 }
 

@@ -1,33 +1,40 @@
+// One recursion does both: costs come up from the leaves, and the probability that a ray which
+// meets the root's box also meets this node's goes down.
+// Source: [Tsiompikas2022] eq. 4 to 6.
+
 #include "coppice/cost/measure.h"
 
 #include "coppice/tree/walk.h"
 
-#include <algorithm>
+#include "cost/statistics_sum.h"
+
+#include <utility>
 
 namespace coppice {
 namespace {
 
-// One recursion does both: costs come up from the leaves, and the probability that a ray which
-// meets the root's box also meets this node's goes down.
-class Measurement {
+class KdMeasurement {
 public:
-    Measurement(const KdTree& tree, const SahCostModel& model) : tree_(tree), model_(model) {}
+    KdMeasurement(const KdTree& tree, const SahCostModel& model) : tree_(tree), model_(model) {}
 
-    TreeStatistics run() {
-        statistics_.sah_cost = visit({0, tree_.bounds(), 0}, 1.0);
-        finish();
-        return std::move(statistics_);
+    TreeStatistics run() && {
+        const double cost = visit({0, tree_.bounds(), 0}, 1.0);
+        TreeStatistics statistics = std::move(sum_).finish();
+        statistics.sah_cost = cost;
+        return statistics;
     }
 
 private:
     // Returns the node's cost, given that a ray meets it.
     double visit(const VisitedNode& at, double probability) {
         const KdNode& node = tree_.nodes()[at.index];
-        if (node.is_leaf()) return visit_leaf(node, at.depth, probability);
-        ++statistics_.inner_count;
-        statistics_.expected_inner_visits += probability;
-        add_cost(at.depth, probability * model_.traversal);
-
+        if (node.is_leaf()) {
+            const std::uint32_t count = node.reference_count();
+            const double cost = model_.leaf_cost(count);
+            sum_.add_leaf(at.depth, probability, count, count, cost);
+            return cost;
+        }
+        sum_.add_inner(at.depth, probability, model_.traversal);
         const double area = at.box.surface_area();
         double cost = model_.traversal;
         const auto visit_child = [&](std::uint32_t child, const Aabb& box) {
@@ -39,51 +46,63 @@ private:
         return cost;
     }
 
-    double visit_leaf(const KdNode& leaf, int depth, double probability) {
-        const std::uint32_t count = leaf.reference_count();
-        const double cost = model_.leaf_cost(count);
-        ++statistics_.leaf_count;
-        statistics_.single_primitive_leaf_count += count == 1 ? 1 : 0;
-        statistics_.empty_leaf_count += count == 0 ? 1 : 0;
-        statistics_.reference_count += count;
-        statistics_.expected_leaf_visits += probability;
-        statistics_.expected_primitive_tests += probability * count;
-        statistics_.max_level = std::max(statistics_.max_level, depth);
-        add_cost(depth, probability * cost);
-        ++statistics_.depth_histogram[static_cast<std::size_t>(depth)];
-        return cost;
-    }
-
-    void add_cost(int depth, double cost) {
-        const auto level = static_cast<std::size_t>(depth);
-        if (level >= statistics_.cost_share_by_depth.size()) {
-            statistics_.cost_share_by_depth.resize(level + 1);
-            statistics_.depth_histogram.resize(level + 1);
-        }
-        statistics_.cost_share_by_depth[level] += cost;
-    }
-
-    void finish() {
-        statistics_.node_count = statistics_.inner_count + statistics_.leaf_count;
-        statistics_.mean_leaf_size = static_cast<double>(statistics_.reference_count) /
-                                     static_cast<double>(statistics_.leaf_count);
-        double total = 0.0;
-        for (const double cost : statistics_.cost_share_by_depth)
-            total += cost;
-        for (double& share : statistics_.cost_share_by_depth) {
-            share = total > 0.0 ? share / total : 0.0;
-        }
-    }
-
     const KdTree& tree_;
     const SahCostModel& model_;
-    TreeStatistics statistics_;
+    StatisticsSum sum_;
+};
+
+class WideMeasurement {
+public:
+    WideMeasurement(const WideBvh& tree, const SahCostModel& model)
+        : tree_(tree), model_(model), root_area_(tree.bounds().surface_area()) {}
+
+    TreeStatistics run() && {
+        visit(0, 1.0, 0);
+        return std::move(sum_).finish();
+    }
+
+private:
+    void visit(std::uint32_t index, double probability, int depth) {
+        sum_.add_inner(depth, probability, model_.traversal);
+        const WideNode& node = tree_.nodes()[index];
+        for (std::size_t slot = 0; slot < wide_width; ++slot) {
+            const WideChild child = node.child[slot];
+            if (child.is_empty()) continue;
+            const double area = node.child_box(slot).surface_area();
+            const double p = root_area_ > 0.0 ? area / root_area_ : 0.0;
+            if (child.is_leaf()) {
+                visit_leaf(child, p, depth + 1);
+            } else {
+                visit(child.node(), p, depth + 1);
+            }
+        }
+    }
+
+    void visit_leaf(WideChild leaf, double probability, int depth) {
+        std::uint64_t count = 0;
+        for (const TriangleBlock& block :
+             tree_.blocks().subspan(leaf.first_block(), leaf.block_count())) {
+            for (const std::uint32_t id : block.id)
+                count += id != TriangleBlock::no_triangle ? 1U : 0U;
+        }
+        const auto blocks = static_cast<double>(leaf.block_count());
+        sum_.add_leaf(depth, probability, count, blocks, model_.leaf_cost(blocks));
+    }
+
+    const WideBvh& tree_;
+    const SahCostModel& model_;
+    double root_area_;
+    StatisticsSum sum_;
 };
 
 }  // namespace
 
 TreeStatistics measure(const KdTree& tree, const SahCostModel& model) {
-    return Measurement(tree, model).run();
+    return KdMeasurement(tree, model).run();
+}
+
+TreeStatistics measure(const WideBvh& tree, const SahCostModel& model) {
+    return WideMeasurement(tree, model).run();
 }
 
 }  // namespace coppice

@@ -11,32 +11,6 @@
 namespace coppice {
 namespace {
 
-// The ray's axes, longest component last, wound so that the triangle's orientation is kept.
-struct RayFrame {
-    Axis x;
-    Axis y;
-    Axis z;
-    double shear_x;
-    double shear_y;
-    double scale_z;
-};
-
-RayFrame make_frame(Vec3d direction) noexcept {
-    Axis z = Axis::x;
-    for (const Axis axis : {Axis::y, Axis::z}) {
-        if (std::abs(direction[axis]) > std::abs(direction[z])) z = axis;
-    }
-    Axis x = next_axis(z);
-    Axis y = next_axis(x);
-    if (direction[z] < 0.0) std::swap(x, y);
-    return {x, y, z, direction[x] / direction[z], direction[y] / direction[z], 1.0 / direction[z]};
-}
-
-Vec3d to_frame(const RayFrame& frame, Vec3d p) noexcept {
-    const double z = p[frame.z];
-    return {p[frame.x] - frame.shear_x * z, p[frame.y] - frame.shear_y * z, frame.scale_z * z};
-}
-
 // a.x * b.y - a.y * b.x; where the products cancel, with their rounding errors. Else a ray in the
 // plane of a sliver, or of a degenerate triangle, would find weights of nothing but noise: zeros
 // that stand for any sign, and so hits far from the ray.
@@ -52,14 +26,30 @@ double edge_function(Vec3d a, Vec3d b) noexcept {
 
 }  // namespace
 
-std::optional<Hit> intersect_triangle(const Ray& ray, const Triangle& triangle) noexcept {
-    if (!is_traceable(ray)) return std::nullopt;
-    const RayFrame frame = make_frame(to_double(ray.direction));
-    const Vec3d origin = to_double(ray.origin);
-    const Vec3d a = to_frame(frame, to_double(triangle[0]) - origin);
-    const Vec3d b = to_frame(frame, to_double(triangle[1]) - origin);
-    const Vec3d c = to_frame(frame, to_double(triangle[2]) - origin);
+TriangleTest::TriangleTest(const Ray& ray) noexcept
+    : origin_(to_double(ray.origin)), t_min_(ray.t_min) {
+    const Vec3d direction = to_double(ray.direction);
+    for (const Axis axis : {Axis::y, Axis::z}) {
+        if (std::abs(direction[axis]) > std::abs(direction[z_])) z_ = axis;
+    }
+    x_ = next_axis(z_);
+    y_ = next_axis(x_);
+    if (direction[z_] < 0.0) std::swap(x_, y_);
+    shear_x_ = direction[x_] / direction[z_];
+    shear_y_ = direction[y_] / direction[z_];
+    scale_z_ = 1.0 / direction[z_];
+}
 
+Vec3d TriangleTest::to_frame(Vec3f corner) const noexcept {
+    const Vec3d p = to_double(corner) - origin_;
+    const double z = p[z_];
+    return {p[x_] - shear_x_ * z, p[y_] - shear_y_ * z, scale_z_ * z};
+}
+
+std::optional<Hit> TriangleTest::operator()(const Triangle& triangle, float t_max) const noexcept {
+    const Vec3d a = to_frame(triangle[0]);
+    const Vec3d b = to_frame(triangle[1]);
+    const Vec3d c = to_frame(triangle[2]);
     const double weight_a = edge_function(c, b);
     const double weight_b = edge_function(a, c);
     const double weight_c = edge_function(b, a);
@@ -69,8 +59,13 @@ std::optional<Hit> intersect_triangle(const Ray& ray, const Triangle& triangle) 
 
     const double sum = weight_a + weight_b + weight_c;
     const auto t = static_cast<float>((weight_a * a.z + weight_b * b.z + weight_c * c.z) / sum);
-    if (!(t >= ray.t_min && t <= ray.t_max)) return std::nullopt;
+    if (!(t >= t_min_ && t <= t_max)) return std::nullopt;
     return Hit{t, static_cast<float>(weight_b / sum), static_cast<float>(weight_c / sum), 0};
+}
+
+std::optional<Hit> intersect_triangle(const Ray& ray, const Triangle& triangle) noexcept {
+    if (!is_traceable(ray)) return std::nullopt;
+    return TriangleTest(ray)(triangle, ray.t_max);
 }
 
 }  // namespace coppice

@@ -1,7 +1,9 @@
 #include "coppice/base/error.h"
 #include "coppice/sample/sampler.h"
 
+#include "sample/stratified.h"
 #include "sample/uniform.h"
+#include "sample/weighted.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,9 +16,16 @@ namespace coppice {
 
 std::span<const SamplerEntry> sampler_registry() {
     static const UniformSampler uniform;
+    static const StratifiedSampler stratified;
+    static const WeightedSampler weighted;
     static const std::array entries{
         SamplerEntry{"uniform", "every primitive with the same probability, without replacement",
                      uniform},
+        SamplerEntry{"stratified", "as uniform, equidistant along a Morton curve", stratified},
+        SamplerEntry{"weighted",
+                     "large primitives more often, equidistant along a Morton curve; each counts "
+                     "1/p in costs",
+                     weighted},
     };
     return entries;
 }

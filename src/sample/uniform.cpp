@@ -8,11 +8,12 @@
 #include "coppice/base/rng.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace coppice {
 
-std::vector<std::uint32_t> UniformSampler::draw(PrimitiveSetView primitives, std::uint32_t count,
-                                                std::uint64_t seed) const {
+Sample UniformSampler::draw(PrimitiveSetView primitives, std::uint32_t count,
+                            const SampleOptions& options) const {
     struct KeyedId {
         std::uint64_t key;
         std::uint32_t id;
@@ -20,7 +21,7 @@ std::vector<std::uint32_t> UniformSampler::draw(PrimitiveSetView primitives, std
 
     std::vector<KeyedId> keyed(primitives.size());
     for (std::uint32_t id = 0; id < primitives.size(); ++id) {
-        keyed[id] = {random_bits(seed, id), id};
+        keyed[id] = {random_bits(options.seed, id), id};
     }
     const auto drawn_end = keyed.begin() + count;
     const auto by_key = [](const KeyedId& a, const KeyedId& b) {
@@ -31,7 +32,7 @@ std::vector<std::uint32_t> UniformSampler::draw(PrimitiveSetView primitives, std
     std::vector<std::uint32_t> ids(count);
     std::transform(keyed.begin(), drawn_end, ids.begin(), [](const KeyedId& k) { return k.id; });
     std::sort(ids.begin(), ids.end());
-    return ids;
+    return {std::move(ids), {}, options};
 }
 
 }  // namespace coppice

@@ -7,8 +7,8 @@ namespace coppice {
 /// Every primitive with the same probability, without replacement.
 class UniformSampler final : public Sampler {
 public:
-    [[nodiscard]] std::vector<std::uint32_t> draw(PrimitiveSetView primitives, std::uint32_t count,
-                                                  std::uint64_t seed) const override;
+    [[nodiscard]] Sample draw(PrimitiveSetView primitives, std::uint32_t count,
+                              const SampleOptions& options) const override;
 };
 
 }  // namespace coppice

@@ -235,6 +235,10 @@ const char* finding_name(FindingKind kind) noexcept {
             return "lost_primitive";
         case FindingKind::bounds_too_small:
             return "bounds_too_small";
+        case FindingKind::box_outside:
+            return "box_outside";
+        case FindingKind::wrong_corners:
+            return "wrong_corners";
     }
     return "unknown";
 }

@@ -65,7 +65,8 @@ TEST(DrawSample, UsesTheSamplerThatIsNamed) {
     const TriangleMesh mesh = make_soup(500, 0.1F, 1);
     for (const SamplerEntry& entry : sampler_registry()) {
         const SampleOptions options{.rate = 0.1, .sampler = std::string(entry.name), .seed = 8};
-        EXPECT_EQ(draw_sample(mesh.view(), options).ids, entry.sampler.draw(mesh.view(), 50, 8));
+        EXPECT_EQ(draw_sample(mesh.view(), options).ids,
+                  entry.sampler.draw(mesh.view(), 50, options).ids);
     }
 }
 

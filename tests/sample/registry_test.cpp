@@ -31,7 +31,7 @@ class EverySampler : public testing::TestWithParam<std::string> {
 protected:
     [[nodiscard]] static Ids draw(PrimitiveSetView primitives, std::uint32_t count,
                                   std::uint64_t seed) {
-        return find_sampler(GetParam()).draw(primitives, count, seed);
+        return find_sampler(GetParam()).draw(primitives, count, {.seed = seed}).ids;
     }
 };
 
@@ -80,6 +80,20 @@ TEST_P(EverySampler, CopesWithEqualAndDegeneratePrimitives) {
         EXPECT_TRUE(is_strictly_ascending(ids));
         EXPECT_LT(ids.back(), 200U);
     }
+}
+
+TEST_P(EverySampler, WeighsWhatItDraws) {
+    const TriangleMesh mesh = make_soup(4000, 0.1F, 1);
+    double sum = 0.0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const Sample sample = find_sampler(GetParam()).draw(mesh.view(), 400, {.seed = seed});
+        for (const float weight : sample.weights) {
+            EXPECT_GE(weight, 1.0F);
+            sum += static_cast<double>(weight);
+        }
+        if (sample.weights.empty()) sum += 4000.0;
+    }
+    EXPECT_NEAR(sum / 20.0, 4000.0, 100.0);  // unbiased: together they stand for all
 }
 
 std::vector<std::string> sampler_names() {

@@ -16,7 +16,7 @@ using Ids = std::vector<std::uint32_t>;
 
 Ids draw_uniform(std::uint32_t of, std::uint32_t count, std::uint64_t seed) {
     const std::vector<Vec3f> points(of);
-    return UniformSampler().draw(PointCloudView(points), count, seed);
+    return UniformSampler().draw(PointCloudView(points), count, {.seed = seed}).ids;
 }
 
 // Draws many times and returns how often each id was drawn, as deviation from the expectation in

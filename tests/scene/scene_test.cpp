@@ -25,7 +25,8 @@ TEST(Scene, TracesWhatItWasGiven) {
     const TriangleMesh mesh = make_soup(500, 0.1F, 1);
     const Scene scene(mesh);
     EXPECT_EQ(scene.mesh().triangles, mesh.triangles);
-    RaySource rays(mesh, scene.tree(), 2);
+    const KdTree planes = build_kd_tree(mesh.view());
+    RaySource rays(mesh, planes, 2);
     for (int i = 0; i < 300; ++i) {
         const Ray ray = rays.next(i % 2 == 0 ? RayKind::at_triangle : RayKind::line);
         const auto expected = brute_force_intersect(mesh.view(), ray);
@@ -41,14 +42,14 @@ TEST(Scene, TracesWhatItWasGiven) {
 
 TEST(Scene, BuildsByItsOptions) {
     const TriangleMesh mesh = make_soup(500, 0.1F, 1);
-    const BuildOptions options{.sample = {.rate = 0.1, .seed = 3}, .growth = Growth::none};
+    const BuildOptions options{.sample = {.rate = 0.1, .seed = 3}, .wide = {.sampled_from = 0}};
     const Scene scene(mesh, options);
-    EXPECT_TRUE(scene.tree() == build_kd_tree(mesh.view(), options));
+    EXPECT_TRUE(is_same(scene.tree(), build_wide_bvh(mesh.view(), options)));
     EXPECT_TRUE(is_sound(scene.tree(), scene.mesh().view()));
     EXPECT_EQ(scene.build_report().options.sample.rate, 0.1);
     EXPECT_EQ(scene.build_report().primitive_count, 500U);
     EXPECT_EQ(scene.build_report().sample_count, 50U);
-    EXPECT_EQ(scene.build_report().statistics.node_count, scene.tree().nodes().size());
+    EXPECT_EQ(scene.build_report().statistics.inner_count, scene.tree().nodes().size());
 }
 
 TEST(Scene, OfNothingIsHitByNothing) {

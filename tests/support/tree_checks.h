@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <cstring>
 #include <ostream>
 #include <set>
 #include <string>
@@ -30,6 +31,23 @@ namespace coppice::test {
     const std::vector<Finding> findings = validate(tree, primitives, 3);
     if (findings.empty()) return testing::AssertionSuccess();
     return testing::AssertionFailure() << testing::PrintToString(findings);
+}
+
+/// The same for a wide tree.
+[[nodiscard]] inline testing::AssertionResult is_sound(const WideBvh& tree, TriangleMeshView mesh) {
+    const std::vector<Finding> findings = validate(tree, mesh, 3);
+    if (findings.empty()) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << testing::PrintToString(findings);
+}
+
+/// True if two wide trees are equal, byte for byte.
+[[nodiscard]] inline bool is_same(const WideBvh& a, const WideBvh& b) {
+    const auto is_same_bytes = [](auto x, auto y) {
+        return x.size_bytes() == y.size_bytes() &&
+               std::memcmp(x.data(), y.data(), x.size_bytes()) == 0;
+    };
+    return a.bounds() == b.bounds() && is_same_bytes(a.nodes(), b.nodes()) &&
+           is_same_bytes(a.blocks(), b.blocks());
 }
 
 /// Success if nodes and references stand in the order that KdTree documents.

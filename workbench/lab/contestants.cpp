@@ -4,12 +4,39 @@
 #include "coppice/base/timer.h"
 #include "coppice/build/build_tree.h"
 #include "coppice/trace/intersect.h"
+#include "coppice/trace/wide_tracer.h"
 
 #include "lab/contestant.h"
+
+#include <optional>
+#include <utility>
 
 namespace coppice::lab {
 
 namespace {
+
+/// The figures of a build, taken by `build(report)`: a function that builds, and that measures the
+/// tree as well if it is given a report.
+template <typename Build>
+BuildFigures figures_of(bool is_measured, BuildFigures last, Build&& build) {
+    if (!is_measured) {
+        const Timer wall;
+        const CpuTimer cpu;
+        build(nullptr);
+        last.wall_seconds = wall.seconds();
+        last.cpu_seconds = cpu.seconds();
+        return last;
+    }
+    BuildReport report;
+    build(&report);
+    // The call did more than build: it measured.
+    return {report.stages.wall_seconds(),
+            report.stages.cpu_seconds(),
+            report.tree_bytes,
+            report.peak_bytes,
+            report.statistics.sah_cost,
+            static_cast<double>(report.statistics.reference_count)};
+}
 
 /// A k-d tree.
 class KdContestant final : public Contestant {
@@ -18,14 +45,9 @@ public:
 
     BuildFigures build(TriangleMeshView mesh, bool is_measured) override {
         mesh_ = mesh;
-        BuildReport report;
-        const Timer wall;
-        const CpuTimer cpu;
-        tree_ = build_kd_tree(mesh, options_, is_measured ? &report : nullptr);
-        figures_.wall_seconds = wall.seconds();
-        figures_.cpu_seconds = cpu.seconds();
-        if (is_measured) note(report);
-        return figures_;
+        return figures_ = figures_of(is_measured, figures_, [&](BuildReport* report) {
+                   tree_ = build_kd_tree(mesh, options_, report);
+               });
     }
 
     void clear() noexcept override { tree_ = {}; }
@@ -44,19 +66,41 @@ public:
     }
 
 private:
-    void note(const BuildReport& report) {
-        // The call did more than build: it measured.
-        figures_.wall_seconds = report.stages.wall_seconds();
-        figures_.cpu_seconds = report.stages.cpu_seconds();
-        figures_.bytes = report.tree_bytes;
-        figures_.peak_bytes = report.peak_bytes;
-        figures_.sah_cost = report.statistics.sah_cost;
-        figures_.reference_count = static_cast<double>(report.statistics.reference_count);
-    }
-
     BuildOptions options_;
     TriangleMeshView mesh_;
     KdTree tree_;
+    BuildFigures figures_;
+};
+
+/// An 8-wide tree.
+class WideContestant final : public Contestant {
+public:
+    explicit WideContestant(BuildOptions options) : options_(std::move(options)) {}
+
+    BuildFigures build(TriangleMeshView mesh, bool is_measured) override {
+        return figures_ = figures_of(is_measured, figures_, [&](BuildReport* report) {
+                   tracer_.emplace(build_wide_bvh(mesh, options_, report));
+               });
+    }
+
+    void clear() noexcept override { tracer_.reset(); }
+
+    void intersect(std::span<const Ray> rays, std::span<Hit> hits) const noexcept override {
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            hits[i] = tracer_->intersect(rays[i]).value_or(Hit{});
+        }
+    }
+
+    void occluded(std::span<const Ray> rays,
+                  std::span<std::uint8_t> flags) const noexcept override {
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            flags[i] = tracer_->occluded(rays[i]) ? 1 : 0;
+        }
+    }
+
+private:
+    BuildOptions options_;
+    std::optional<WideTracer> tracer_;
     BuildFigures figures_;
 };
 
@@ -65,6 +109,7 @@ private:
 std::unique_ptr<Contestant> make_contestant(const Method& method, int threads) {
     BuildOptions options = method.options();
     options.threads = threads;
+    if (method.tree == TreeKind::wide) return std::make_unique<WideContestant>(std::move(options));
     return std::make_unique<KdContestant>(std::move(options));
 }
 

@@ -57,6 +57,8 @@ enum class WidePreset {
 /// How build_wide_bvh() goes about its work; k-d trees do not use it.
 struct WideOptions {
     WidePreset preset = WidePreset::automatic;
+    std::uint32_t cell_size = 4096;        ///< triangles a cell of the top is to hold; >= 64
+    std::uint32_t sampled_from = 200'000;  ///< scenes of fewer triangles are not sampled
 };
 
 /// Everything a build depends on, beside the primitives.

@@ -3,7 +3,9 @@
 #include "coppice/build/build_options.h"
 #include "coppice/build/build_report.h"
 #include "coppice/geom/primitive_set.h"
+#include "coppice/geom/triangle_mesh.h"
 #include "coppice/tree/kd_tree.h"
+#include "coppice/tree/wide_bvh.h"
 
 namespace coppice {
 
@@ -14,5 +16,11 @@ namespace coppice {
 /// is not finite, Error(limit) for too many references.
 [[nodiscard]] KdTree build_kd_tree(PrimitiveSetView primitives, const BuildOptions& options = {},
                                    BuildReport* report = nullptr);
+
+/// The same with an 8-wide tree as the result, as `options.wide` says: a top from a sample, all
+/// triangles filled into its cells, and every cell built on by object splits. `options.split` and
+/// `options.growth` do not apply. The tree keeps a copy of the triangles' corners.
+[[nodiscard]] WideBvh build_wide_bvh(TriangleMeshView mesh, const BuildOptions& options = {},
+                                     BuildReport* report = nullptr);
 
 }  // namespace coppice

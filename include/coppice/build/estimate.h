@@ -3,6 +3,7 @@
 #include "coppice/build/build_options.h"
 #include "coppice/build/build_report.h"
 #include "coppice/geom/primitive_set.h"
+#include "coppice/geom/triangle_mesh.h"
 
 namespace coppice {
 
@@ -11,5 +12,8 @@ namespace coppice {
 /// but the seconds depends on primitives and options alone; the seconds are of this machine, now.
 /// Throws like build_kd_tree().
 [[nodiscard]] Estimate estimate_kd_tree(PrimitiveSetView primitives, const BuildOptions& options);
+
+/// The same of build_wide_bvh().
+[[nodiscard]] Estimate estimate_wide_bvh(TriangleMeshView mesh, const BuildOptions& options);
 
 }  // namespace coppice

@@ -3,6 +3,7 @@
 #include "coppice/cost/sah_cost_model.h"
 #include "coppice/cost/tree_statistics.h"
 #include "coppice/tree/kd_tree.h"
+#include "coppice/tree/wide_bvh.h"
 
 namespace coppice {
 
@@ -10,5 +11,10 @@ namespace coppice {
 /// SA(below)/SA C(below) + SA(above)/SA C(above). Children of a node without area (a line, a
 /// point) count nothing: no ray meets them. Source: [Tsiompikas2022] eq. 4 to 6.
 [[nodiscard]] TreeStatistics measure(const KdTree& tree, const SahCostModel& model);
+
+/// The same of a wide tree: nodes of eight as inner nodes, leaf slots as leaves, and a block of
+/// eight triangles as what costs one intersection, for that is how they are tested. A reference is
+/// a triangle in a leaf.
+[[nodiscard]] TreeStatistics measure(const WideBvh& tree, const SahCostModel& model);
 
 }  // namespace coppice

@@ -5,6 +5,7 @@
 #include <concepts>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 namespace coppice {
 
@@ -37,6 +38,11 @@ public:
 
     [[nodiscard]] Aabb bounds(std::uint32_t id) const { return calls_->bounds(set_, id); }
 
+    /// The boxes of boxes.size() primitives from `first` on, at the price of one call.
+    void bounds(std::uint32_t first, std::span<Aabb> boxes) const {
+        calls_->many_bounds(set_, first, boxes);
+    }
+
     [[nodiscard]] Aabb clipped_bounds(std::uint32_t id, const Aabb& box) const {
         return calls_->clipped_bounds(set_, id, box);
     }
@@ -45,6 +51,7 @@ private:
     struct Calls {
         std::uint32_t (*size)(const void*);
         Aabb (*bounds)(const void*, std::uint32_t);
+        void (*many_bounds)(const void*, std::uint32_t, std::span<Aabb>);
         Aabb (*clipped_bounds)(const void*, std::uint32_t, const Aabb&);
     };
 
@@ -55,6 +62,10 @@ private:
         },
         [](const void* set, std::uint32_t id) {
             return static_cast<Aabb>(static_cast<const Set*>(set)->bounds(id));
+        },
+        [](const void* set, std::uint32_t first, std::span<Aabb> boxes) {
+            for (Aabb& box : boxes)
+                box = static_cast<Aabb>(static_cast<const Set*>(set)->bounds(first++));
         },
         [](const void* set, std::uint32_t id, const Aabb& box) {
             return static_cast<Aabb>(static_cast<const Set*>(set)->clipped_bounds(id, box));

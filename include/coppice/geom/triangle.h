@@ -24,9 +24,34 @@ using Triangle = std::array<Vec3f, 3>;
 /// Source: [WaldHavran2006] sec. 2.4 (perfect splits), [SutherlandHodgman1974].
 [[nodiscard]] Aabb clipped_triangle_bounds(const Triangle& triangle, const Aabb& box) noexcept;
 
-/// The hit of a ray with one triangle, both sides, edges and corners included. Watertight: two
-/// triangles that share an edge leave no gap between them. The returned `prim` is 0.
+/// A traceable ray made ready to be tested against many triangles, both sides, edges and corners
+/// included. Watertight: two triangles that share an edge leave no gap between them.
 /// Source: [Woop2013], evaluated in double precision.
+class TriangleTest {
+public:
+    /// The ray must be one that is_traceable(); its t_max is ignored.
+    explicit TriangleTest(const Ray& ray) noexcept;
+
+    /// The hit with one triangle at a t of at most `t_max`. Its `prim` is 0.
+    [[nodiscard]] std::optional<Hit> operator()(const Triangle& triangle,
+                                                float t_max) const noexcept;
+
+private:
+    [[nodiscard]] Vec3d to_frame(Vec3f corner) const noexcept;
+
+    Vec3d origin_;
+    float t_min_;
+    // The ray's axes, longest component last, wound so that a triangle's orientation is kept.
+    Axis x_ = Axis::x;
+    Axis y_ = Axis::x;
+    Axis z_ = Axis::x;
+    double shear_x_;
+    double shear_y_;
+    double scale_z_;
+};
+
+/// The hit of a ray with one triangle, both sides, edges and corners included, as TriangleTest
+/// finds it. A ray that is not traceable hits nothing. The returned `prim` is 0.
 [[nodiscard]] std::optional<Hit> intersect_triangle(const Ray& ray,
                                                     const Triangle& triangle) noexcept;
 

@@ -15,14 +15,16 @@ struct SampleOptions {
     double rate = 1.0;                ///< share of the primitives, in (0, 1]
     std::string sampler = "uniform";  ///< a name of sampler_registry()
     std::uint64_t seed = 1;           ///< same seed, same sample
+    double uniform_share = 0.5;       ///< `weighted` only: the part of the inclusion probability
+                                      ///< that is the same for all, in [0, 1]
 };
 
 /// The primitives chosen: distinct ids, ascending.
 struct Sample {
     std::vector<std::uint32_t> ids;
+    std::vector<float> weights;  ///< how many primitives each stands for, 1 / p of its inclusion
+                                 ///< probability p; empty if all stand for equally many
     SampleOptions options;       ///< what it was drawn with
-    std::vector<float> weights;  ///< of each id 1 / its probability to be drawn; none if all are
-                                 ///< alike: 1 / rate
 };
 
 /// Chooses `count` of the primitives. Runs once a build; stateless.
@@ -33,11 +35,10 @@ public:
     Sampler& operator=(const Sampler&) = delete;
     virtual ~Sampler() = default;
 
-    /// `count` distinct ids in ascending order, 1 <= count <= primitives.size(); the same for the
-    /// same seed, whatever the number of threads.
-    [[nodiscard]] virtual std::vector<std::uint32_t> draw(PrimitiveSetView primitives,
-                                                          std::uint32_t count,
-                                                          std::uint64_t seed) const = 0;
+    /// `count` distinct ids in ascending order with their weights, 1 <= count <=
+    /// primitives.size(); the same for the same options, whatever the number of threads.
+    [[nodiscard]] virtual Sample draw(PrimitiveSetView primitives, std::uint32_t count,
+                                      const SampleOptions& options) const = 0;
 };
 
 /// A sampler under its name, with one line on what it does.

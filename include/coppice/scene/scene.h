@@ -4,16 +4,18 @@
 #include "coppice/build/build_report.h"
 #include "coppice/geom/ray.h"
 #include "coppice/geom/triangle_mesh.h"
-#include "coppice/tree/kd_tree.h"
+#include "coppice/trace/wide_tracer.h"
+#include "coppice/tree/wide_bvh.h"
 
 #include <optional>
 
 namespace coppice {
 
-/// A mesh together with the tree to trace it: all that most programs need. Queries are reentrant.
+/// A mesh together with the wide tree to trace it: all that most programs need. Queries are
+/// reentrant.
 class Scene {
 public:
-    /// Takes over the mesh and builds its tree. Throws Error like build_kd_tree().
+    /// Takes over the mesh and builds its tree. Throws Error like build_wide_bvh().
     explicit Scene(TriangleMesh mesh, const BuildOptions& options = {});
 
     /// The closest hit, or nothing.
@@ -24,7 +26,7 @@ public:
 
     [[nodiscard]] const TriangleMesh& mesh() const noexcept { return mesh_; }
 
-    [[nodiscard]] const KdTree& tree() const noexcept { return tree_; }
+    [[nodiscard]] const WideBvh& tree() const noexcept { return tracer_.tree(); }
 
     /// How the tree was built and what it measures.
     [[nodiscard]] const BuildReport& build_report() const noexcept { return report_; }
@@ -32,7 +34,7 @@ public:
 private:
     TriangleMesh mesh_;
     BuildReport report_;
-    KdTree tree_;
+    WideTracer tracer_;
 };
 
 }  // namespace coppice

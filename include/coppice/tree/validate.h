@@ -1,7 +1,9 @@
 #pragma once
 
 #include "coppice/geom/primitive_set.h"
+#include "coppice/geom/triangle_mesh.h"
 #include "coppice/tree/kd_tree.h"
+#include "coppice/tree/wide_bvh.h"
 
 #include <cstdint>
 #include <string>
@@ -23,6 +25,8 @@ enum class FindingKind {
     stray_reference,        ///< a leaf refers to a primitive that does not touch its box
     lost_primitive,         ///< a primitive in no leaf
     bounds_too_small,       ///< a primitive that leaves the tree's box
+    box_outside,            ///< a wide node's child box that leaves its parent's
+    wrong_corners,          ///< a block whose corners are not those of its triangles
 };
 
 /// The stable lower-case name of a kind of finding, e.g. "lost_primitive".
@@ -39,6 +43,11 @@ struct Finding {
 /// All that is wrong with a tree over `primitives`, at most `limit` findings; none for a sound
 /// tree. Cost: one descent of all primitives, O(N log N). Never throws on a malformed tree.
 [[nodiscard]] std::vector<Finding> validate(const KdTree& tree, PrimitiveSetView primitives,
+                                            std::size_t limit = 100);
+
+/// The same for a wide tree over the triangles of `mesh`. A triangle counts as lost unless its
+/// corners and the middle of its edges each lie in the box of a leaf that refers to it.
+[[nodiscard]] std::vector<Finding> validate(const WideBvh& tree, TriangleMeshView mesh,
                                             std::size_t limit = 100);
 
 }  // namespace coppice

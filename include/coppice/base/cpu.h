@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace coppice {
+
+/// Instruction sets that the kernels are compiled for. All give the same trees and the same hits.
+enum class Isa {
+    scalar,  ///< what every processor of the architecture has
+    avx2     ///< AVX2 and FMA (x86-64)
+};
+
+/// The stable lower-case name, e.g. "avx2".
+[[nodiscard]] std::string_view name_of(Isa isa) noexcept;
+
+/// Those this processor can run, the slowest first; never none.
+[[nodiscard]] std::span<const Isa> available_isas() noexcept;
+
+/// The fastest available one, or the one that the environment variable COPPICE_ISA names. Throws
+/// Error(invalid_argument) if that names none, or one this processor does not have.
+[[nodiscard]] Isa choose_isa();
+
+}  // namespace coppice

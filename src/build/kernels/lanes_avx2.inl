@@ -1,0 +1,65 @@
+// Eight lanes in a 256-bit register. Part of a kernel source; the twin of lanes_scalar.inl.
+
+using Lanes = __m256;
+
+inline Lanes load(const float* from) noexcept {
+    return _mm256_load_ps(from);
+}
+
+inline void store(Lanes lanes, float* to) noexcept {
+    _mm256_store_ps(to, lanes);
+}
+
+inline Lanes max(Lanes a, Lanes b) noexcept {
+    return _mm256_max_ps(a, b);
+}
+
+inline Lanes only_if(bool condition, Lanes lanes) noexcept {
+    const __m256i mask = _mm256_set1_epi32(condition ? -1 : 0);
+    return _mm256_blendv_ps(_mm256_set1_ps(-std::numeric_limits<float>::infinity()), lanes,
+                            _mm256_castsi256_ps(mask));
+}
+
+inline __m128 sum_of(Lanes reference) noexcept {
+    return _mm_sub_ps(_mm256_extractf128_ps(reference, 1), _mm256_castps256_ps128(reference));
+}
+
+inline Lanes centroid_of(Lanes reference) noexcept {
+    const __m128 sum = sum_of(reference);
+    return _mm256_set_m128(sum, _mm_xor_ps(sum, _mm_set1_ps(-0.0F)));
+}
+
+struct BinLanes {
+    std::array<std::uint32_t, 3> index;
+};
+
+class Binner {
+public:
+    explicit Binner(const BinMapping& mapping) noexcept
+        : origin_(_mm_setr_ps(mapping.origin[0], mapping.origin[1], mapping.origin[2], 0.0F)),
+          scale_(_mm_setr_ps(mapping.scale[0], mapping.scale[1], mapping.scale[2], 0.0F)),
+          last_(_mm_set1_ps(static_cast<float>(mapping.bin_count - 1))) {}
+
+    [[nodiscard]] BinLanes operator()(Lanes reference) const noexcept {
+        const __m128 place = _mm_mul_ps(_mm_sub_ps(sum_of(reference), origin_), scale_);
+        const __m128i bin = _mm_cvttps_epi32(_mm_min_ps(place, last_));  // last_ for NaN
+        const auto low = static_cast<std::uint64_t>(_mm_cvtsi128_si64(bin));
+        return {{static_cast<std::uint32_t>(low), static_cast<std::uint32_t>(low >> 32U),
+                 static_cast<std::uint32_t>(_mm_extract_epi32(bin, 2))}};
+    }
+
+private:
+    __m128 origin_;
+    __m128 scale_;
+    __m128 last_;
+};
+
+inline float half_area(Lanes box, float factor) noexcept {
+    const __m128 extent =
+        _mm_mul_ps(_mm_add_ps(_mm256_extractf128_ps(box, 1), _mm256_castps256_ps128(box)),
+                   _mm_set1_ps(factor));
+    const __m128 next = _mm_shuffle_ps(extent, extent, _MM_SHUFFLE(3, 0, 2, 1));
+    const __m128 product = _mm_mul_ps(extent, next);  // xy, yz, zx
+    const __m128 xy_yz = _mm_add_ss(product, _mm_movehdup_ps(product));
+    return _mm_cvtss_f32(_mm_add_ss(xy_yz, _mm_movehl_ps(product, product)));
+}

@@ -1,0 +1,68 @@
+// Eight lanes as plain loops: what the kernels need, for any processor. Part of a kernel source.
+
+struct Lanes {
+    Box8 value;
+};
+
+inline Lanes load(const float* from) noexcept {
+    Lanes lanes;
+    std::copy_n(from, 8, lanes.value.lane.begin());
+    return lanes;
+}
+
+inline void store(Lanes lanes, float* to) noexcept {
+    std::copy_n(lanes.value.lane.begin(), 8, to);
+}
+
+inline Lanes max(Lanes a, Lanes b) noexcept {
+    for (std::size_t i = 0; i < 8; ++i) {
+        a.value.lane[i] = a.value.lane[i] > b.value.lane[i] ? a.value.lane[i] : b.value.lane[i];
+    }
+    return a;
+}
+
+// The lanes, or -infinity in all of them.
+inline Lanes only_if(bool condition, Lanes lanes) noexcept {
+    return condition ? lanes : Lanes{Box8::make_empty()};
+}
+
+// The sums lower + upper, negated in lanes 0 to 2, as they are in lanes 4 to 6.
+inline Lanes centroid_of(Lanes reference) noexcept {
+    Lanes centroid;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const float sum = reference.value.lane[4 + i] - reference.value.lane[i];
+        centroid.value.lane[i] = -sum;
+        centroid.value.lane[4 + i] = sum;
+    }
+    return centroid;
+}
+
+struct BinLanes {
+    std::array<std::uint32_t, 3> index;
+};
+
+class Binner {
+public:
+    explicit Binner(const BinMapping& mapping) noexcept : mapping_(mapping) {}
+
+    [[nodiscard]] BinLanes operator()(Lanes reference) const noexcept {
+        BinLanes bins{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const float sum = reference.value.lane[4 + axis] - reference.value.lane[axis];
+            const float place = (sum - mapping_.origin[axis]) * mapping_.scale[axis];
+            bins.index[axis] = bin_at(place, static_cast<float>(mapping_.bin_count - 1));
+        }
+        return bins;
+    }
+
+private:
+    const BinMapping& mapping_;
+};
+
+// Half the surface area of a box, its edges scaled.
+inline float half_area(Lanes box, float factor) noexcept {
+    const float x = (box.value.lane[4] + box.value.lane[0]) * factor;
+    const float y = (box.value.lane[5] + box.value.lane[1]) * factor;
+    const float z = (box.value.lane[6] + box.value.lane[2]) * factor;
+    return x * y + y * z + z * x;
+}

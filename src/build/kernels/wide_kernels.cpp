@@ -1,0 +1,20 @@
+#include "build/kernels/wide_kernels.h"
+
+#include "build/kernels/wide_kernels_sets.h"
+
+namespace coppice::wide {
+
+const Kernels& kernels_for(Isa isa) noexcept {
+    return isa == Isa::avx2 ? avx2_kernels() : scalar_kernels();
+}
+
+void clear(Bins& bins, std::uint32_t bin_count) noexcept {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (std::uint32_t bin = 0; bin < bin_count; ++bin) {
+            bins.box[axis][bin] = Box8::make_empty();
+            bins.weight[axis][bin] = 0.0F;
+        }
+    }
+}
+
+}  // namespace coppice::wide

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "coppice/base/cpu.h"
+
+#include "build/wide/reference.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+namespace coppice::wide {
+
+inline constexpr std::size_t max_bin_count = 16;
+
+/// Which bin a reference falls into on each axis, by the sum lower + upper of its box (twice its
+/// centroid: halving it would change nothing). A scale of 0 puts all into bin 0.
+struct BinMapping {
+    std::array<float, 3> origin;
+    std::array<float, 3> scale;
+    std::uint32_t bin_count;
+
+    /// The place where bin `bin` begins on an axis.
+    [[nodiscard]] float begin_of(std::size_t axis, std::uint32_t bin) const noexcept {
+        return origin[axis] + static_cast<float>(bin) / scale[axis];
+    }
+};
+
+/// The bin of a place counted in bins from the first one; the last for NaN.
+[[nodiscard]] constexpr std::uint32_t bin_at(float place, float last_bin) noexcept {
+    return static_cast<std::uint32_t>(place < last_bin ? place : last_bin);
+}
+
+/// The boxes and summed weights of the references in each bin.
+struct Bins {
+    std::array<std::array<Box8, max_bin_count>, 3> box;
+    std::array<std::array<float, max_bin_count>, 3> weight;
+};
+
+/// How many primitives a leaf's cost counts in one: 8 where a block of 8 costs as much as one.
+struct SplitCosts {
+    float block_size;     ///< weights are divided by it
+    bool whole_blocks;    ///< and rounded up
+    float extent_factor;  ///< on edge lengths before areas are taken: keeps them finite
+};
+
+/// A split of references into those below bin `bin` on an axis and the others.
+struct ObjectSplit {
+    float cost = std::numeric_limits<float>::infinity();  ///< area times blocks, both sides
+    std::uint32_t axis = 0;
+    std::uint32_t bin = 0;  ///< 0: there is no split
+    float lower_weight = 0.0F;
+    Box8 lower_box;
+    Box8 upper_box;
+};
+
+/// The inner loops of the wide builder, compiled for one instruction set. All sets give the same
+/// results to the bit.
+struct Kernels {
+    /// The box of references and the range of their centroids.
+    void (*unite)(std::span<const Reference>, Box8& box, Box8& centroids) noexcept;
+
+    /// Adds references to bins.
+    void (*bin)(std::span<const Reference>, const BinMapping&, Bins&) noexcept;
+
+    /// The cheapest split between bins; bin 0 if all references are in one bin.
+    ObjectSplit (*find_split)(const Bins&, std::uint32_t bin_count, const SplitCosts&) noexcept;
+
+    /// Copies references to the two sides of a split, in their order, and finds both ranges of
+    /// centroids.
+    void (*partition)(std::span<const Reference>, const BinMapping&, std::uint32_t axis,
+                      std::uint32_t bin, Reference* lower, Reference* upper, Box8& lower_centroids,
+                      Box8& upper_centroids) noexcept;
+};
+
+/// The kernels for an instruction set that this processor has.
+[[nodiscard]] const Kernels& kernels_for(Isa isa) noexcept;
+
+/// Empties the first `bin_count` bins.
+void clear(Bins& bins, std::uint32_t bin_count) noexcept;
+
+}  // namespace coppice::wide

@@ -1,0 +1,126 @@
+// The parts of a wide tree become its two arrays: first every part's place is found, depth first,
+// then all are copied at the same time, and the triangles' corners fetched from the mesh.
+
+#include "coppice/base/error.h"
+#include "coppice/base/parallel.h"
+
+#include "build/wide/grow_wide.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace coppice::wide {
+namespace {
+
+// A part and where its nodes and blocks begin in the tree's arrays.
+struct PlacedPart {
+    const Part* part;
+    std::uint64_t first_node;
+    std::uint64_t first_block;
+    std::vector<std::uint64_t> link_nodes;  // where the roots of its links are
+};
+
+class Places {
+public:
+    void add(const Part& part) {
+        const std::size_t at = parts.size();
+        parts.push_back({&part, node_count, block_count, {}});
+        node_count += part.nodes.size();
+        block_count += part.block_count;
+        for (const Part::Link& link : part.links) {
+            parts[at].link_nodes.push_back(node_count);
+            add(*link.part);
+        }
+    }
+
+    std::vector<PlacedPart> parts;
+    std::uint64_t node_count = 0;
+    std::uint64_t block_count = 0;
+};
+
+WideChild moved(WideChild child, std::uint32_t first_node, std::uint32_t first_block) {
+    if (child.is_empty()) return child;
+    if (child.is_leaf()) {
+        return WideChild::make_leaf(first_block + child.first_block(), child.block_count());
+    }
+    return WideChild::make_inner(first_node + child.node());
+}
+
+void copy_nodes(const PlacedPart& placed, std::span<WideNode> nodes) {
+    const auto first_node = static_cast<std::uint32_t>(placed.first_node);
+    const auto first_block = static_cast<std::uint32_t>(placed.first_block);
+    WideNode* out = &nodes[placed.first_node];
+    for (const WideNode& node : placed.part->nodes) {
+        *out = node;
+        for (WideChild& child : out->child)
+            child = moved(child, first_node, first_block);
+        ++out;
+    }
+    for (std::size_t at = 0; at < placed.part->links.size(); ++at) {
+        const Part::Link& link = placed.part->links[at];
+        nodes[placed.first_node + link.node].child[link.slot] =
+            WideChild::make_inner(static_cast<std::uint32_t>(placed.link_nodes[at]));
+    }
+}
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr Triangle nowhere{Vec3f{nan, nan, nan}, Vec3f{nan, nan, nan}, Vec3f{nan, nan, nan}};
+
+void fill_block(TriangleBlock& block, std::span<const std::uint32_t> ids, TriangleMeshView mesh) {
+    for (std::size_t lane = 0; lane < wide_width; ++lane) {
+        const bool is_used = lane < ids.size();
+        const Triangle triangle = is_used ? mesh.triangle(ids[lane]) : nowhere;
+        block.id[lane] = is_used ? ids[lane] : TriangleBlock::no_triangle;
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            block.corner[corner][0][lane] = triangle[corner].x;
+            block.corner[corner][1][lane] = triangle[corner].y;
+            block.corner[corner][2][lane] = triangle[corner].z;
+        }
+    }
+}
+
+void fill_blocks(const PlacedPart& placed, std::span<const std::uint32_t> ids,
+                 TriangleMeshView mesh, std::span<TriangleBlock> blocks) {
+    TriangleBlock* block = blocks.data() + placed.first_block;
+    for (const Part::Leaf& leaf : placed.part->leaves) {
+        auto rest = ids.subspan(leaf.begin, leaf.count);
+        while (!rest.empty()) {
+            const std::size_t count = std::min(rest.size(), wide_width);
+            fill_block(*block++, rest.first(count), mesh);
+            rest = rest.subspan(count);
+        }
+    }
+}
+
+}  // namespace
+
+WideBvh assemble(GrownTree&& grown, Arena&& arena, TriangleMeshView mesh) {
+    Places places;
+    places.add(grown.root);
+    if (places.node_count > WideChild::max_node_index ||
+        places.block_count > WideChild::max_block_index) {
+        throw Error(ErrorCode::limit,
+                    fmt::format("the tree would have {} nodes and {} blocks of triangles; at most "
+                                "{} and {} are possible",
+                                places.node_count, places.block_count, WideChild::max_node_index,
+                                WideChild::max_block_index));
+    }
+    const std::size_t node_bytes = places.node_count * sizeof(WideNode);
+    const std::size_t all_bytes = node_bytes + places.block_count * sizeof(TriangleBlock);
+    const std::span<const std::uint32_t> ids = arena.ids();
+    const bool fits = all_bytes <= arena.bytes_before_ids();
+    BigBuffer storage = fits ? arena.release() : BigBuffer(all_bytes);
+    const auto nodes = storage.view<WideNode>(0, places.node_count);
+    const auto blocks = storage.view<TriangleBlock>(node_bytes, places.block_count);
+    parallel_for_chunks(places.parts.size(), 1, [&](std::size_t at, std::size_t /*end*/) {
+        copy_nodes(places.parts[at], nodes);
+        fill_blocks(places.parts[at], ids, mesh, blocks);
+    });
+    storage.shrink(all_bytes);
+    return {std::make_shared<const BigBuffer>(std::move(storage)), nodes, blocks, grown.bounds};
+}
+
+}  // namespace coppice::wide

@@ -1,0 +1,190 @@
+// The wide tree below and above the cells, in one recursion: a node starts with one child and opens
+// the child of largest area (a top node into its two, a range of references by a binned split)
+// until it has eight; no binary tree is made. Ranges of at most two blocks become leaves; while a
+// node has slots left, those of more than one block are opened too. Large children are tasks with
+// a part of their own; where parts meet depends on the sizes alone, so the tree does not depend on
+// threads.
+// Source: [Wald2007] sec. 3, [Wald2008] sec. 3 (opening by area).
+
+#include "build/wide/grow_wide.h"
+
+#include "coppice/base/parallel.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace coppice::wide {
+namespace {
+
+constexpr std::uint32_t block_size = wide_width;
+constexpr std::uint32_t max_leaf_size = 2 * block_size;
+
+// Smaller ranges are not worth a task and a part of their own.
+constexpr std::uint32_t min_task_size = 2048;
+
+// From this depth on ranges are halved by number: 2^32 references are then leaves 11 levels below.
+constexpr int max_sah_depth = WideBvh::max_depth - 12;
+
+constexpr std::uint32_t not_top = 0xffffffff;
+
+Aabb to_aabb(const Box8& box) {
+    return {{box.lower(0), box.lower(1), box.lower(2)}, {box.upper(0), box.upper(1), box.upper(2)}};
+}
+
+// A child to be: a node of the top, or a range of references.
+struct Item {
+    Range range;  // of a top node: its box and how many references are below
+    std::uint32_t top = not_top;
+    double area = 0.0;
+
+    [[nodiscard]] bool is_range() const noexcept { return top == not_top; }
+
+    [[nodiscard]] bool can_open() const noexcept {
+        return !is_range() || range.size() > block_size;
+    }
+};
+
+class Grower {
+public:
+    Grower(const Top& top, std::span<const Range> cells, const Splitter& splitter,
+           std::span<std::uint32_t> ids)
+        : top_(top), splitter_(splitter), ids_(ids), ranges_(top.nodes.size()) {
+        for (std::size_t node = top.nodes.size(); node-- > 0;)
+            ranges_[node] = range_of(top.nodes[node], cells);
+    }
+
+    [[nodiscard]] GrownTree grow() && {
+        GrownTree grown;
+        grown.bounds = to_aabb(ranges_[0].box);
+        grow_node(grown.root, make_item(0), 0);
+        return grown;
+    }
+
+private:
+    struct Children {
+        std::array<Item, wide_width> item;
+        std::size_t count = 0;
+
+        void add(Item&& added) {
+            if (added.range.size() > 0) item[count++] = std::move(added);
+        }
+    };
+
+    // A cell's range; of an inner node the box of both children and the sum of their sizes.
+    [[nodiscard]] Range range_of(const TopNode& node, std::span<const Range> cells) const {
+        if (node.axis == TopNode::is_cell) return cells[node.index];
+        Range range = ranges_[node.index];
+        const Range& upper = ranges_[node.index + 1];
+        range.end = range.begin + range.size() + upper.size();
+        range.box.grow(upper.box);
+        return range;
+    }
+
+    [[nodiscard]] Item make_item(std::uint32_t node) const {
+        const bool is_cell = top_.nodes[node].axis == TopNode::is_cell;
+        return with_area({ranges_[node], is_cell ? not_top : node, 0.0});
+    }
+
+    static Item with_area(Item&& item) {
+        item.area = to_aabb(item.range.box).surface_area();
+        return std::move(item);
+    }
+
+    void open(Children& children, std::size_t at, bool by_sah) const {
+        const Item opened = children.item[at];
+        std::swap(children.item[at], children.item[--children.count]);
+        if (!opened.is_range()) {
+            const std::uint32_t lower = top_.nodes[opened.top].index;
+            children.add(make_item(lower));
+            children.add(make_item(lower + 1));
+            return;
+        }
+        const Halves halves =
+            by_sah ? splitter_.split(opened.range) : splitter_.halve(opened.range);
+        children.add(with_area({halves.lower, not_top, 0.0}));
+        children.add(with_area({halves.upper, not_top, 0.0}));
+    }
+
+    [[nodiscard]] Children open_all(Item&& item, int depth) const {
+        const bool by_sah = depth < max_sah_depth;
+        const auto extent = [&](const Item& child) {
+            if (!child.can_open()) return -1.0;
+            return by_sah ? child.area : static_cast<double>(child.range.size());
+        };
+        Children children;
+        children.add(std::move(item));
+        while (children.count > 0 && children.count < wide_width) {
+            std::size_t largest = 0;
+            for (std::size_t at = 1; at < children.count; ++at) {
+                if (extent(children.item[at]) > extent(children.item[largest])) largest = at;
+            }
+            if (!children.item[largest].can_open()) break;
+            open(children, largest, by_sah);
+        }
+        return children;
+    }
+
+    // Writes a leaf's ids where its references stand; one task has this range.
+    WideChild grow_leaf(Part& part, const Range& range) {
+        const auto references = splitter_.references(range);
+        std::transform(references.begin(), references.end(), ids_.begin() + range.begin,
+                       [](const Reference& reference) { return reference.id; });
+        const std::uint32_t first = part.block_count;
+        const std::uint32_t count = (range.size() + block_size - 1) / block_size;
+        part.leaves.push_back({range.begin, range.size()});
+        part.block_count += count;
+        return WideChild::make_leaf(first, count);
+    }
+
+    std::uint32_t grow_node(Part& part, Item&& item, int depth) {
+        const auto index = static_cast<std::uint32_t>(part.nodes.size());
+        part.nodes.push_back(make_empty_wide_node());
+        const Children children = open_all(std::move(item), depth);
+        std::vector<std::pair<std::size_t, const Item*>> tasks;
+        for (std::size_t slot = 0; slot < children.count; ++slot) {
+            const Item& child = children.item[slot];
+            const Aabb box = to_aabb(child.range.box);
+            part.nodes[index].set(slot, box, WideChild::make_empty());
+            if (child.is_range() && child.range.size() <= max_leaf_size) {
+                part.nodes[index].child[slot] = grow_leaf(part, child.range);
+            } else if (child.range.size() >= min_task_size) {
+                tasks.emplace_back(slot, &child);
+            } else {
+                const std::uint32_t node = grow_node(part, Item(child), depth + 1);
+                part.nodes[index].child[slot] = WideChild::make_inner(node);
+            }
+        }
+        if (!tasks.empty()) grow_parts(part, index, tasks, depth + 1);
+        return index;
+    }
+
+    // Large children at the same time, the largest first.
+    void grow_parts(Part& part, std::uint32_t node,
+                    std::vector<std::pair<std::size_t, const Item*>>& tasks, int depth) {
+        std::stable_sort(tasks.begin(), tasks.end(), [](const auto& a, const auto& b) {
+            return a.second->range.size() > b.second->range.size();
+        });
+        const std::size_t first = part.links.size();
+        for (const auto& [slot, item] : tasks) {
+            part.links.push_back(
+                {node, static_cast<std::uint32_t>(slot), std::make_unique<Part>()});
+        }
+        parallel_for_chunks(tasks.size(), 1, [&](std::size_t task, std::size_t /*end*/) {
+            grow_node(*part.links[first + task].part, Item(*tasks[task].second), depth);
+        });
+    }
+
+    const Top& top_;
+    const Splitter& splitter_;
+    std::span<std::uint32_t> ids_;
+    std::vector<Range> ranges_;  // of the top's nodes
+};
+
+}  // namespace
+
+GrownTree grow_wide(const Top& top, std::span<const Range> cells, const Splitter& splitter,
+                    std::span<std::uint32_t> ids) {
+    return Grower(top, cells, splitter, ids).grow();
+}
+
+}  // namespace coppice::wide

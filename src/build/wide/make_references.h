@@ -1,0 +1,40 @@
+#pragma once
+
+#include "coppice/geom/aabb.h"
+#include "coppice/geom/triangle_mesh.h"
+
+#include "build/wide/reference.h"
+
+#include <cstdint>
+#include <span>
+
+namespace coppice::wide {
+
+/// Fills in a reference to every triangle, of weight 1, in the order of their ids. Throws
+/// Error(invalid_argument) naming the first triangle whose box is not finite.
+void make_references(TriangleMeshView mesh, std::span<Reference> references);
+
+/// References as the primitives they are, for samplers. Must not outlive them.
+class ReferenceSet {
+public:
+    explicit ReferenceSet(std::span<const Reference> references) noexcept
+        : references_(references) {}
+
+    [[nodiscard]] std::uint32_t size() const noexcept {
+        return static_cast<std::uint32_t>(references_.size());
+    }
+
+    [[nodiscard]] Aabb bounds(std::uint32_t id) const noexcept {
+        const auto& [lower, number, upper, weight] = references_[id];
+        return {{-lower[0], -lower[1], -lower[2]}, {upper[0], upper[1], upper[2]}};
+    }
+
+    [[nodiscard]] Aabb clipped_bounds(std::uint32_t id, const Aabb& box) const noexcept {
+        return intersection(bounds(id), box);
+    }
+
+private:
+    std::span<const Reference> references_;
+};
+
+}  // namespace coppice::wide

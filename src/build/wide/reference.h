@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace coppice::wide {
+
+/// A triangle's box as the builder moves it about: the lower bound negated, so that one maximum of
+/// eight lanes unites two boxes. Lane 3 is the id, lane 7 what the reference counts in costs.
+struct alignas(32) Reference {
+    std::array<float, 3> negated_lower;
+    std::uint32_t id;
+    std::array<float, 3> upper;
+    float weight;
+};
+
+static_assert(sizeof(Reference) == 32);
+
+/// Eight lanes laid out as in Reference, lanes 3 and 7 without meaning: a box, or a range of
+/// centroids (their sums lower + upper, negated and not).
+struct alignas(32) Box8 {
+    std::array<float, 8> lane;
+
+    /// The empty box.
+    [[nodiscard]] static constexpr Box8 make_empty() noexcept {
+        constexpr float lowest = -__builtin_inff();
+        return {{lowest, lowest, lowest, lowest, lowest, lowest, lowest, lowest}};
+    }
+
+    [[nodiscard]] constexpr float lower(std::size_t axis) const noexcept { return -lane[axis]; }
+
+    [[nodiscard]] constexpr float upper(std::size_t axis) const noexcept { return lane[4 + axis]; }
+
+    constexpr void grow(const Box8& other) noexcept {
+        for (std::size_t i = 0; i < lane.size(); ++i)
+            lane[i] = lane[i] < other.lane[i] ? other.lane[i] : lane[i];
+    }
+};
+
+}  // namespace coppice::wide

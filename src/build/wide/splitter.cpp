@@ -1,0 +1,179 @@
+// Binned SAH splits of triangle references by their centroids. A range of n references is put into
+// min(16, 4 + n / 4) bins per axis (more changed the cost by less than 0.5 %), the cheapest border
+// of two bins is taken, and the references are copied in their order to the other buffer: no
+// branch depends on the data. Large ranges are binned and copied in chunks at the same time.
+// Source: [Wald2007] sec. 3.
+
+#include "build/wide/splitter.h"
+
+#include "coppice/base/parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace coppice::wide {
+namespace {
+
+constexpr std::size_t chunk_size = 16384;
+constexpr std::size_t parallel_size = 4 * chunk_size;
+
+BinMapping map_bins(const Range& range) {
+    BinMapping mapping{};
+    mapping.bin_count =
+        std::min<std::uint32_t>(static_cast<std::uint32_t>(max_bin_count), 4 + range.size() / 4);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        mapping.origin[axis] = range.centroids.lower(axis);
+        const float extent = range.centroids.upper(axis) - mapping.origin[axis];
+        const float scale = static_cast<float>(mapping.bin_count) / extent;
+        mapping.scale[axis] = std::isfinite(scale) && extent > 0.0F ? scale : 0.0F;
+    }
+    return mapping;
+}
+
+// Calls body(chunk, begin, end) for chunks of a range, at the same time where it is worth it.
+template <typename Body>
+void for_chunks(std::size_t size, Body&& body) {
+    parallel_for_chunks(size, chunk_size, [&](std::size_t begin, std::size_t end) {
+        body(begin / chunk_size, begin, end);
+    });
+}
+
+std::size_t chunk_count(std::size_t size) {
+    return (size + chunk_size - 1) / chunk_size;
+}
+
+std::uint32_t count_lower(std::span<const Reference> references, const ObjectSplit& split,
+                          const BinMapping& mapping) {
+    const auto last_bin = static_cast<float>(mapping.bin_count - 1);
+    std::uint32_t count = 0;
+    for (const Reference& reference : references) {
+        const float sum = reference.upper[split.axis] - reference.negated_lower[split.axis];
+        const float place = (sum - mapping.origin[split.axis]) * mapping.scale[split.axis];
+        count += bin_at(place, last_bin) < split.bin ? 1U : 0U;
+    }
+    return count;
+}
+
+// The two sides of a split in the other buffer, their centroids not found yet.
+Halves halves_of(const Range& range, const ObjectSplit& split, std::uint32_t lower_count) {
+    const auto buffer = static_cast<std::uint8_t>(1 - range.buffer);
+    const std::uint32_t middle = range.begin + lower_count;
+    return {{range.begin, middle, buffer, split.lower_box, Box8::make_empty()},
+            {middle, range.end, buffer, split.upper_box, Box8::make_empty()}};
+}
+
+}  // namespace
+
+float extent_factor_of(const Box8& box) noexcept {
+    float longest = 0.0F;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        longest = std::max(longest, 0.5F * box.upper(axis) - 0.5F * box.lower(axis));
+    if (!(longest > 0.0F)) return 1.0F;
+    return std::ldexp(1.0F, std::clamp(-std::ilogb(longest), -126, 126));
+}
+
+Range Splitter::measured(std::uint32_t begin, std::uint32_t end, std::uint8_t buffer) const {
+    Range range{.begin = begin, .end = end, .buffer = buffer};
+    const auto references = this->references(range);
+    if (references.size() < parallel_size) {
+        kernels_.unite(references, range.box, range.centroids);
+        return range;
+    }
+    std::vector<Range> parts(chunk_count(references.size()));
+    for_chunks(references.size(), [&](std::size_t chunk, std::size_t first, std::size_t last) {
+        kernels_.unite(references.subspan(first, last - first), parts[chunk].box,
+                       parts[chunk].centroids);
+    });
+    for (const Range& part : parts) {
+        range.box.grow(part.box);
+        range.centroids.grow(part.centroids);
+    }
+    return range;
+}
+
+ObjectSplit Splitter::find(const Range& range, BinMapping& mapping) const {
+    mapping = map_bins(range);
+    if (range.size() >= parallel_size) return find_in_chunks(range, mapping);
+    Bins bins;
+    clear(bins, mapping.bin_count);
+    kernels_.bin(references(range), mapping, bins);
+    return kernels_.find_split(bins, mapping.bin_count, costs_);
+}
+
+ObjectSplit Splitter::find_in_chunks(const Range& range, const BinMapping& mapping) const {
+    const auto references = this->references(range);
+    std::vector<Bins> parts(chunk_count(references.size()));
+    for_chunks(references.size(), [&](std::size_t chunk, std::size_t first, std::size_t last) {
+        clear(parts[chunk], mapping.bin_count);
+        kernels_.bin(references.subspan(first, last - first), mapping, parts[chunk]);
+    });
+    Bins& bins = parts.front();
+    for (const Bins& part : std::span(parts).subspan(1)) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            for (std::uint32_t at = 0; at < mapping.bin_count; ++at) {
+                bins.box[axis][at].grow(part.box[axis][at]);
+                bins.weight[axis][at] += part.weight[axis][at];
+            }
+        }
+    }
+    return kernels_.find_split(bins, mapping.bin_count, costs_);
+}
+
+Halves Splitter::halve(const Range& range) const {
+    const std::uint32_t middle = range.begin + (range.size() + 1) / 2;
+    return {measured(range.begin, middle, range.buffer), measured(middle, range.end, range.buffer)};
+}
+
+Halves Splitter::divide(const Range& range, const ObjectSplit& split,
+                        const BinMapping& mapping) const {
+    if (split.bin == 0) return halve(range);
+    if (range.size() >= parallel_size) return divide_in_chunks(range, split, mapping);
+    const auto references = this->references(range);
+    // Weights of 1 sum up to the number without an error: there are not 2^24 of them.
+    const std::uint32_t lower_count = costs_.whole_blocks
+                                          ? static_cast<std::uint32_t>(split.lower_weight)
+                                          : count_lower(references, split, mapping);
+    Halves halves = halves_of(range, split, lower_count);
+    Reference* out = buffers_[halves.lower.buffer].data();
+    kernels_.partition(references, mapping, split.axis, split.bin, out + halves.lower.begin,
+                       out + halves.upper.begin, halves.lower.centroids, halves.upper.centroids);
+    return halves;
+}
+
+Halves Splitter::divide_in_chunks(const Range& range, const ObjectSplit& split,
+                                  const BinMapping& mapping) const {
+    const auto references = this->references(range);
+    std::vector<std::uint32_t> lower_begin(chunk_count(references.size()));  // of each chunk
+    for_chunks(references.size(), [&](std::size_t chunk, std::size_t first, std::size_t last) {
+        lower_begin[chunk] = count_lower(references.subspan(first, last - first), split, mapping);
+    });
+    std::uint32_t lower_count = 0;
+    for (std::uint32_t& count : lower_begin)
+        count = std::exchange(lower_count, lower_count + count);
+
+    Halves halves = halves_of(range, split, lower_count);
+    Reference* out = buffers_[halves.lower.buffer].data();
+    std::vector<Halves> parts(lower_begin.size());
+    for_chunks(references.size(), [&](std::size_t chunk, std::size_t first, std::size_t last) {
+        const std::size_t lower = lower_begin[chunk];
+        kernels_.partition(references.subspan(first, last - first), mapping, split.axis, split.bin,
+                           out + halves.lower.begin + lower,
+                           out + halves.upper.begin + (first - lower), parts[chunk].lower.centroids,
+                           parts[chunk].upper.centroids);
+    });
+    for (const Halves& part : parts) {
+        halves.lower.centroids.grow(part.lower.centroids);
+        halves.upper.centroids.grow(part.upper.centroids);
+    }
+    return halves;
+}
+
+Halves Splitter::split(const Range& range) const {
+    BinMapping mapping{};
+    const ObjectSplit split = find(range, mapping);
+    return divide(range, split, mapping);
+}
+
+}  // namespace coppice::wide

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "build/kernels/wide_kernels.h"
+#include "build/wide/splitter.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace coppice::wide {
+
+/// A node of the binary tree above the cells: a plane that divides references by the sum of their
+/// bounds on an axis, or a cell.
+struct TopNode {
+    static constexpr std::uint32_t is_cell = 3;
+
+    std::uint32_t axis = is_cell;
+    float position = 0.0F;    ///< a reference goes to the lower child if its sum is less
+    std::uint32_t index = 0;  ///< of the lower child (the upper one follows), or of the cell
+};
+
+/// The upper part of a wide tree, chosen from a sample: node 0 is the root, children follow their
+/// parents.
+struct Top {
+    std::vector<TopNode> nodes{TopNode{}};
+    std::uint32_t cell_count = 1;
+    Box8 centroids = Box8::make_empty();  ///< the range of those it was chosen from
+};
+
+/// A top over sampled references, whose weights say how many primitives each stands for: split
+/// until a cell is expected to hold at most `cell_size` primitives. Reorders the sample.
+[[nodiscard]] Top build_object_top(std::span<Reference> sample, float cell_size,
+                                   const Kernels& kernels);
+
+/// Sends every reference of `from` to the cell it belongs to: `to` receives them cell by cell, in
+/// their order. Returns the cells' ranges in buffer 1, without boxes.
+[[nodiscard]] std::vector<Range> fill_cells(const Top& top, std::span<Reference> from,
+                                            std::span<Reference> to);
+
+}  // namespace coppice::wide

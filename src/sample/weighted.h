@@ -1,0 +1,13 @@
+#pragma once
+
+#include "sample/equidistant.h"
+
+namespace coppice {
+
+/// Large primitives with greater probability, one from each stretch of a Morton curve.
+class WeightedSampler final : public EquidistantSampler {
+    [[nodiscard]] InclusionProbability choose(std::span<const float> diagonals, std::uint32_t count,
+                                              const SampleOptions& options) const override;
+};
+
+}  // namespace coppice

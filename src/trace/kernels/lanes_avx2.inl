@@ -1,0 +1,46 @@
+// Eight lanes of floats in a 256-bit register. Part of a kernel source; the twin of
+// lanes_scalar.inl.
+
+struct Lanes {
+    __m256 lane;
+};
+
+inline Lanes load(const std::array<float, 8>& from) noexcept {
+    return {_mm256_load_ps(from.data())};
+}
+
+inline void store(Lanes lanes, std::array<float, 8>& to) noexcept {
+    _mm256_store_ps(to.data(), lanes.lane);
+}
+
+inline Lanes broadcast(float value) noexcept {
+    return {_mm256_set1_ps(value)};
+}
+
+inline Lanes operator+(Lanes a, Lanes b) noexcept {
+    return {_mm256_add_ps(a.lane, b.lane)};
+}
+
+inline Lanes operator-(Lanes a, Lanes b) noexcept {
+    return {_mm256_sub_ps(a.lane, b.lane)};
+}
+
+inline Lanes operator*(Lanes a, Lanes b) noexcept {
+    return {_mm256_mul_ps(a.lane, b.lane)};
+}
+
+inline Lanes min(Lanes a, Lanes b) noexcept {
+    return {_mm256_min_ps(a.lane, b.lane)};
+}
+
+inline Lanes max(Lanes a, Lanes b) noexcept {
+    return {_mm256_max_ps(a.lane, b.lane)};
+}
+
+inline Lanes abs(Lanes a) noexcept {
+    return {_mm256_andnot_ps(_mm256_set1_ps(-0.0F), a.lane)};
+}
+
+inline unsigned less_equal(Lanes a, Lanes b) noexcept {
+    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a.lane, b.lane, _CMP_LE_OQ)));
+}

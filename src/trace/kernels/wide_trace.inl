@@ -1,0 +1,213 @@
+// Traversal of the 8-wide tree: included once for each instruction set, in a namespace of its own,
+// after that set's lanes_*.inl.
+//
+// Boxes: all eight children are cut with the ray at once. Differences and reciprocals in float are
+// off by 3 units of rounding at most, and intervals are widened by 4 [Ize2013], so no box that the
+// ray touches is passed over. A direction component of zero (or -0) gives infinite distances, or
+// NaN where the origin lies in the plane of a face; minimum and maximum then take their second
+// argument, so such a face does not cut.
+//
+// Triangles: eight at a time are sifted with edge functions in float [Woop2013 in the form of
+// Davidovic2012: volumes of edges and ray], with a bound on all that rounding can do; what remains,
+// about one triangle a hit, is decided in double by TriangleTest. So hits are those of brute force
+// on every instruction set, and watertight.
+//
+// Stack: an inner node leaves at most 7 entries, and no node is deeper than
+// WideBvh::max_depth.
+
+constexpr std::size_t max_stack = (wide_width - 1) * WideBvh::max_depth + 1;
+
+struct Lanes3 {
+    Lanes x;
+    Lanes y;
+    Lanes z;
+};
+
+inline Lanes3 operator-(const Lanes3& a, const Lanes3& b) noexcept {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+inline Lanes3 operator+(const Lanes3& a, const Lanes3& b) noexcept {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+inline Lanes sum_of_abs(const Lanes3& a) noexcept {
+    return abs(a.x) + (abs(a.y) + abs(a.z));
+}
+
+inline Lanes3 broadcast(Vec3f v) noexcept {
+    return {broadcast(v.x), broadcast(v.y), broadcast(v.z)};
+}
+
+// A ray as the kernels use it.
+struct LaneRay {
+    explicit LaneRay(const Ray& ray) noexcept
+        : origin(broadcast(ray.origin)),
+          direction(broadcast(ray.direction)),
+          inverse(broadcast({1.0F / ray.direction.x, 1.0F / ray.direction.y,
+                             1.0F / ray.direction.z})),
+          is_negative{std::signbit(ray.direction.x), std::signbit(ray.direction.y),
+                      std::signbit(ray.direction.z)} {}
+
+    Lanes3 origin;
+    Lanes3 direction;
+    Lanes3 inverse;
+    std::array<bool, 3> is_negative;
+};
+
+// Hits count by their rounded t: those a little outside of an interval may belong to it. The least
+// slack is far from the denormal numbers, which are slow to calculate with.
+inline float above(float t) noexcept {
+    return t + 0x1.0p-21F * std::abs(t) + 0x1.0p-100F;
+}
+
+inline float below(float t) noexcept {
+    return t - 0x1.0p-21F * std::abs(t) - 0x1.0p-100F;
+}
+
+struct BoxHits {
+    unsigned mask;
+    Lanes enter;
+};
+
+// The children whose boxes the ray meets between enter and exit.
+inline BoxHits meet_boxes(const WideNode& node, const LaneRay& ray, Lanes enter,
+                          Lanes exit) noexcept {
+    const auto cut = [&](std::size_t axis, Lanes origin, Lanes inverse) {
+        const bool is_negative = ray.is_negative[axis];
+        const Lanes near = load(is_negative ? node.upper[axis] : node.lower[axis]);
+        const Lanes far = load(is_negative ? node.lower[axis] : node.upper[axis]);
+        enter = max((near - origin) * inverse, enter);
+        exit = min((far - origin) * inverse, exit);
+    };
+    cut(0, ray.origin.x, ray.inverse.x);
+    cut(1, ray.origin.y, ray.inverse.y);
+    cut(2, ray.origin.z, ray.inverse.z);
+    const Lanes slack = broadcast(0x1.0p-22F);
+    return {less_equal(enter - abs(enter) * slack, exit + abs(exit) * slack), enter};
+}
+
+// Twice the volume between the ray and an edge from `a` to `b`, by both as seen from its origin.
+inline Lanes edge_volume(const LaneRay& ray, const Lanes3& a, const Lanes3& b) noexcept {
+    const Lanes3 edge = b - a;
+    const Lanes3 sum = b + a;
+    const Lanes x = edge.y * sum.z - edge.z * sum.y;
+    const Lanes y = edge.z * sum.x - edge.x * sum.z;
+    const Lanes z = edge.x * sum.y - edge.y * sum.x;
+    return x * ray.direction.x + (y * ray.direction.y + z * ray.direction.z);
+}
+
+// The triangles that the ray may hit, rounding considered, at any distance.
+inline unsigned sift_triangles(const TriangleBlock& block, const LaneRay& ray) noexcept {
+    const auto corner = [&](std::size_t at) {
+        const auto& axes = block.corner[at];
+        return Lanes3{load(axes[0]), load(axes[1]), load(axes[2])} - ray.origin;
+    };
+    const Lanes3 a = corner(0);
+    const Lanes3 b = corner(1);
+    const Lanes3 c = corner(2);
+    const Lanes ab = edge_volume(ray, a, b);
+    const Lanes bc = edge_volume(ray, b, c);
+    const Lanes ca = edge_volume(ray, c, a);
+    const Lanes size = sum_of_abs(b - a) + sum_of_abs(c - a);
+    const Lanes reach = sum_of_abs(a) + size;
+    const Lanes largest = max(abs(ab), max(abs(bc), abs(ca)));
+    // Corners are off by 2^-24 of their distance, products and sums by a few times 2^-24: together
+    // by less than 2^-19 reach size |direction|, plus a share of the volumes themselves.
+    const Lanes error = broadcast(0x1.0p-19F) * (reach * size * sum_of_abs(ray.direction)) +
+                        broadcast(0x1.0p-19F) * largest;
+    const Lanes least = min(ab, min(bc, ca));
+    const Lanes most = max(ab, max(bc, ca));
+    const Lanes zero = broadcast(0.0F);
+    return less_equal(zero, least + error) | less_equal(most - error, zero);
+}
+
+struct Entry {
+    float enter;
+    WideChild child;
+};
+
+template <bool any_hit>
+class Traversal {
+public:
+    Traversal(const WideBvh& tree, const Ray& ray) noexcept
+        : tree_(tree), lanes_(ray), test_(ray), enter_(broadcast(below(ray.t_min))),
+          exit_(broadcast(above(ray.t_max))) {
+        hit_.t = ray.t_max;
+    }
+
+    bool run(Hit& hit) noexcept {
+        visit_node(tree_.nodes().front());
+        while (size_ > 0) {
+            const Entry entry = stack_[--size_];
+            if (entry.enter > limit_) continue;
+            if (!entry.child.is_leaf()) {
+                visit_node(tree_.nodes()[entry.child.node()]);
+            } else if (visit_leaf(entry.child) && any_hit) {
+                break;
+            }
+        }
+        hit = hit_;
+        return has_hit_;
+    }
+
+private:
+    // Puts the children that the ray meets on the stack, the nearest on top.
+    void visit_node(const WideNode& node) noexcept {
+        const BoxHits met = meet_boxes(node, lanes_, enter_, exit_);
+        if (met.mask == 0) return;
+        alignas(32) std::array<float, 8> enter;
+        store(met.enter, enter);
+        const std::size_t first = size_;
+        for (unsigned rest = met.mask; rest != 0; rest &= rest - 1) {
+            const auto slot = static_cast<std::size_t>(std::countr_zero(rest));
+            const Entry entry{enter[slot], node.child[slot]};
+            std::size_t at = size_++;
+            for (; at > first && stack_[at - 1].enter < entry.enter; --at)
+                stack_[at] = stack_[at - 1];
+            stack_[at] = entry;
+        }
+    }
+
+    // True if something in the leaf is hit, closer than all before.
+    bool visit_leaf(WideChild leaf) noexcept {
+        bool is_hit = false;
+        const TriangleBlock* block = &tree_.blocks()[leaf.first_block()];
+        for (std::uint32_t count = leaf.block_count(); count > 0; --count, ++block) {
+            for (unsigned rest = sift_triangles(*block, lanes_); rest != 0; rest &= rest - 1) {
+                const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+                is_hit |= test_triangle(*block, lane);
+            }
+        }
+        return is_hit;
+    }
+
+    bool test_triangle(const TriangleBlock& block, std::size_t lane) noexcept {
+        const auto found = test_(block.triangle(lane), hit_.t);
+        const std::uint32_t id = block.id[lane];
+        if (!found || (has_hit_ && found->t == hit_.t && id > hit_.prim)) return false;
+        hit_ = {found->t, found->u, found->v, id};
+        has_hit_ = true;
+        limit_ = above(found->t);
+        exit_ = broadcast(limit_);
+        return true;
+    }
+
+    const WideBvh& tree_;
+    LaneRay lanes_;
+    TriangleTest test_;
+    Lanes enter_;
+    Lanes exit_;
+    float limit_ = std::numeric_limits<float>::infinity();
+    Hit hit_;
+    bool has_hit_ = false;
+    std::size_t size_ = 0;
+    std::array<Entry, max_stack> stack_;
+};
+
+template <bool any_hit>
+bool trace(const WideBvh& tree, const Ray& ray, Hit& hit) noexcept {
+    return is_traceable(ray) && Traversal<any_hit>(tree, ray).run(hit);
+}
+
+constexpr TraceKernels kernels{&trace<false>, &trace<true>};

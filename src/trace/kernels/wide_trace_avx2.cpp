@@ -1,0 +1,45 @@
+#include "trace/kernels/wide_trace.h"
+
+#if defined(__x86_64__)
+
+#include "coppice/geom/triangle.h"
+
+#include "base/isa.h"
+
+#include <immintrin.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+namespace coppice {
+
+COPPICE_BEGIN_AVX2
+
+namespace {
+
+#include "trace/kernels/lanes_avx2.inl"
+#include "trace/kernels/wide_trace.inl"
+
+}  // namespace
+
+COPPICE_END_AVX2
+
+const TraceKernels& avx2_trace_kernels() noexcept {
+    return kernels;
+}
+
+}  // namespace coppice
+
+#else
+
+namespace coppice {
+
+const TraceKernels& avx2_trace_kernels() noexcept {
+    return scalar_trace_kernels();  // never asked for: choose_isa() does not offer it
+}
+
+}  // namespace coppice
+
+#endif

@@ -1,0 +1,135 @@
+// The wide builder on the scenes that break builders: sound trees, hits as brute force finds them,
+// and the same bytes for any number of threads and any instruction set.
+
+#include "coppice/base/error.h"
+#include "coppice/base/parallel.h"
+#include "coppice/build/build_tree.h"
+#include "coppice/trace/brute_force.h"
+#include "coppice/trace/wide_tracer.h"
+
+#include "support/isa.h"
+#include "support/meshes.h"
+#include "support/rays.h"
+#include "support/scene_matrix.h"
+#include "support/tree_checks.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+namespace coppice::test {
+namespace {
+
+// Small cells and no crossover, so that small scenes go the way of large ones.
+std::vector<BuildOptions> all_ways() {
+    std::vector<BuildOptions> ways;
+    for (const double rate : {1.0, 0.2}) {
+        for (const char* sampler : {"weighted", "uniform"}) {
+            ways.push_back({.sample = {.rate = rate, .sampler = sampler},
+                            .wide = {.cell_size = 64, .sampled_from = 0}});
+        }
+    }
+    return ways;
+}
+
+class BuildWideBvhScene : public testing::TestWithParam<NamedScene> {};
+
+TEST_P(BuildWideBvhScene, GivesSoundTrees) {
+    const TriangleMesh mesh = GetParam().make();
+    for (const BuildOptions& options : all_ways()) {
+        EXPECT_TRUE(is_sound(build_wide_bvh(mesh.view(), options), mesh.view()))
+            << options.sample.sampler << " " << options.sample.rate;
+    }
+}
+
+TEST_P(BuildWideBvhScene, IsTheSameForAllThreadsAndInstructionSets) {
+    const TriangleMesh mesh = GetParam().make();
+    for (BuildOptions options : all_ways()) {
+        const WideBvh expected = build_wide_bvh(mesh.view(), options);
+        for (const int threads : {1, 2, 3, 8}) {
+            options.threads = threads;
+            EXPECT_TRUE(is_same(build_wide_bvh(mesh.view(), options), expected)) << threads;
+        }
+        for (const Isa isa : available_isas()) {
+            const ForceIsa force(isa);
+            EXPECT_TRUE(is_same(build_wide_bvh(mesh.view(), options), expected)) << name_of(isa);
+        }
+    }
+}
+
+TEST_P(BuildWideBvhScene, IsHitAsByBruteForce) {
+    const TriangleMesh mesh = GetParam().make();
+    const KdTree planes = build_kd_tree(mesh.view());
+    const int ray_count = mesh.triangles.size() > 1500 ? 8 : 40;
+    for (const BuildOptions& options : all_ways()) {
+        const WideBvh tree = build_wide_bvh(mesh.view(), options);
+        for (const Isa isa : available_isas()) {
+            const WideTracer tracer(tree, isa);
+            RaySource rays(mesh, planes, 41);
+            for (const RayKind kind : all_ray_kinds) {
+                for (int i = 0; i < ray_count; ++i) {
+                    const Ray ray = rays.next(kind);
+                    const auto expected = brute_force_intersect(mesh.view(), ray);
+                    const auto hit = tracer.intersect(ray);
+                    ASSERT_EQ(hit.has_value(), expected.has_value())
+                        << name_of(isa) << " " << name_of(kind) << " " << i;
+                    ASSERT_EQ(tracer.occluded(ray), expected.has_value());
+                    if (!hit) continue;
+                    ASSERT_EQ(hit->t, expected->t) << name_of(kind) << " " << i;
+                    ASSERT_EQ(hit->prim, expected->prim);
+                }
+            }
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seed41, BuildWideBvhScene, testing::ValuesIn(scene_matrix()), scene_name);
+
+TEST(BuildWideBvh, CountsWhatItBuilt) {
+    const TriangleMesh mesh = make_sphere(60, 61);
+    BuildReport report;
+    const WideBvh tree = build_wide_bvh(
+        mesh.view(), {.sample = {.rate = 0.1, .sampler = "weighted"}, .wide = {.sampled_from = 0}},
+        &report);
+    EXPECT_EQ(report.primitive_count, mesh.triangles.size());
+    EXPECT_EQ(report.statistics.reference_count, mesh.triangles.size());
+    EXPECT_EQ(report.statistics.inner_count, tree.nodes().size());
+    EXPECT_LE(report.sample_count, mesh.triangles.size() / 9);
+}
+
+TEST(BuildWideBvh, DoesNotSampleSmallScenes) {
+    const TriangleMesh mesh = make_sphere(60, 61);
+    BuildReport report;
+    const WideBvh sampled = build_wide_bvh(mesh.view(), {.sample = {.rate = 0.1}}, &report);
+    EXPECT_EQ(report.sample_count, mesh.triangles.size());
+    EXPECT_TRUE(is_same(sampled, build_wide_bvh(mesh.view())));
+}
+
+TEST(BuildWideBvh, NamesTheFirstTriangleThatIsNotFinite) {
+    TriangleMesh mesh = make_soup(100, 0.1F, 1);
+    mesh.vertices[mesh.triangles[61][1]].y = std::numeric_limits<float>::infinity();
+    mesh.vertices[mesh.triangles[77][0]].x = std::numeric_limits<float>::quiet_NaN();
+    try {
+        static_cast<void>(build_wide_bvh(mesh.view()));
+        ADD_FAILURE() << "no exception";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::invalid_argument);
+        EXPECT_THAT(error.what(), testing::HasSubstr("primitive 61 "));
+    }
+}
+
+TEST(BuildWideBvh, IsNeverTooDeep) {
+    // Each triangle a tenth of the one before: a split by cost peels off one after the other.
+    TriangleMesh mesh;
+    float size = 1e30F;
+    for (int i = 0; i < 600; ++i) {
+        mesh = joined(std::move(mesh), scaled(make_soup(1, 0.5F, 3), size));
+        size *= 0.9F;
+    }
+    EXPECT_TRUE(is_sound(build_wide_bvh(mesh.view()), mesh.view()));
+}
+
+}  // namespace
+}  // namespace coppice::test
