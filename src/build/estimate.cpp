@@ -21,7 +21,7 @@
 namespace coppice {
 namespace {
 
-constexpr std::uint32_t piece_count = 256;
+constexpr std::uint32_t piece_count = 512;
 constexpr std::uint32_t one_in = 16;     // of them is probed
 constexpr std::uint32_t thinned_to = 4;  // one in so many of these
 

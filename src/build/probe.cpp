@@ -1,4 +1,4 @@
-// A scene is divided into pieces by a k-d tree over a sample of 64 primitives a piece; every n-th
+// A scene is divided into pieces by a k-d tree over a sample of 32 primitives a piece; every n-th
 // leaf, in depth-first order, is a piece of the probe: close leaves are alike, so taking them
 // at even distances covers the scene. All primitives then walk down to the pieces that they touch,
 // where they are clipped. Cost: one walk of a few steps a primitive, in parallel.
@@ -18,13 +18,14 @@
 namespace coppice {
 namespace {
 
-constexpr std::uint32_t sampled_per_piece = 64;
+constexpr std::uint32_t sampled_per_piece = 32;
 constexpr std::uint32_t no_piece = std::numeric_limits<std::uint32_t>::max();
 
 KdTree divide(PrimitiveSetView primitives, std::uint32_t piece_count) {
     BuildOptions options;
     options.sample.rate =
         std::min(1.0, double{sampled_per_piece} * piece_count / primitives.size());
+    options.split.rule = "exact";  // fewest primitives cut
     options.split.max_leaf = sampled_per_piece;
     return build_on_sample(primitives, draw_sample(primitives, options.sample), options);
 }
