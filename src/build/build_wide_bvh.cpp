@@ -28,47 +28,42 @@ wide::Top build_top(std::span<const Reference> references, const Sample& sample,
     return wide::build_object_top(sampled, static_cast<float>(options.wide.cell_size), kernels);
 }
 
+// The cells of the top, filled: one of everything where the scene is not sampled.
+std::vector<wide::Range> make_cells(const wide::Arena& arena, const BuildOptions& options,
+                                    const wide::Kernels& kernels, StageClock& clock,
+                                    BuildReport& report, wide::Top& top) {
+    const std::span<Reference> references = arena.first();
+    SampleOptions sampling = options.sample;
+    if (references.size() < options.wide.sampled_from) sampling.rate = 1.0;
+    const auto count = static_cast<std::uint32_t>(references.size());
+    report.sample_count = sample_count(count, sampling.rate);
+    if (report.sample_count == count) {
+        report.stages.sample = clock.lap(count);
+        return {{.begin = 0, .end = count, .buffer = 0}};
+    }
+    const Sample sample = draw_sample(wide::ReferenceSet(references), sampling);
+    report.stages.sample = clock.lap(sample.ids.size());
+    top = build_top(references, sample, options, kernels);
+    report.stages.build = clock.lap(top.nodes.size());
+    std::vector<wide::Range> cells = wide::fill_cells(top, references, arena.second());
+    report.stages.refill = clock.lap(count);
+    return cells;
+}
+
 WideBvh run_pipeline(TriangleMeshView mesh, const BuildOptions& options, BuildReport& report) {
     StageClock clock;
-    StageReports& stages = report.stages;
     MemoryMeter meter;
     const wide::Kernels& kernels = wide::kernels_for(choose_isa());
-    wide::Arena arena(mesh.size());
-    const MeteredBytes arena_bytes(&meter, arena.byte_count());
-    const std::span<Reference> references = arena.first();
-    const std::span<Reference> buffer = arena.second();
-    wide::make_references(mesh, references);
+    wide::Arena arena(mesh.size(), meter);
+    wide::make_references(mesh, arena.first());
 
     wide::Top top;
-    std::vector<wide::Range> cells;
-    SampleOptions sampling = options.sample;
-    if (mesh.size() < options.wide.sampled_from) sampling.rate = 1.0;
-    report.sample_count = mesh.size();
-    if (sampling.rate < 1.0) {
-        const Sample sample = draw_sample(wide::ReferenceSet(references), sampling);
-        report.sample_count = static_cast<std::uint32_t>(sample.ids.size());
-        stages.sample = clock.lap(sample.ids.size());
-        const MeteredBytes sample_bytes(
-            &meter, sample.ids.size() * (2 * sizeof(Reference) + sizeof(sample.ids[0])));
-        top = build_top(references, sample, options, kernels);
-        stages.build = clock.lap(top.nodes.size());
-        cells = wide::fill_cells(top, references, buffer);
-        stages.refill = clock.lap(mesh.size());
-    } else {
-        cells.push_back({.begin = 0, .end = mesh.size(), .buffer = 0});
-    }
-    const wide::Splitter measurer(references, buffer, {}, kernels);
-    wide::Box8 bounds = wide::Box8::make_empty();
-    parallel_for_chunks(cells.size(), 1, [&](std::size_t cell, std::size_t /*end*/) {
-        cells[cell] = measurer.measured(cells[cell].begin, cells[cell].end, cells[cell].buffer);
-    });
-    for (const wide::Range& cell : cells)
-        bounds.grow(cell.box);
-    const wide::Splitter splitter(references, buffer, {8.0F, true, wide::extent_factor_of(bounds)},
-                                  kernels);
-    wide::GrownTree grown = wide::grow_wide(top, cells, splitter, arena.ids());
-    WideBvh tree = wide::assemble(std::move(grown), std::move(arena), mesh);
-    stages.refine = clock.lap(mesh.size());
+    const auto unmeasured = make_cells(arena, options, kernels, clock, report, top);
+    const std::vector<wide::Range> cells = wide::measure_cells(unmeasured, arena, kernels);
+    wide::GrownTree grown = wide::grow_wide(top, cells, arena, kernels);
+    const MeteredBytes part_bytes(&meter, byte_count(grown.root));
+    WideBvh tree = wide::assemble(std::move(grown), std::move(arena), mesh, meter);
+    report.stages.refine = clock.lap(mesh.size());
     report.peak_bytes = meter.peak_bytes();
     return tree;
 }

@@ -47,7 +47,7 @@ BuildOptions sweep() {
 
 template <WidePreset preset>
 BuildOptions wide() {
-    return {.wide = {.preset = preset}};
+    return {.sample = {.rate = 0.01, .sampler = "weighted"}, .wide = {.preset = preset}};
 }
 
 constexpr std::array methods{

@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(All, BuildOnSampleScene,
 
 TEST(BuildOnSample, HoldsTheSampleOnly) {
     const TriangleMesh mesh = make_soup(1000, 0.1F, 1);
-    const Sample sample{{3, 14, 159, 265, 358, 979}, {.rate = 0.006}};
+    const Sample sample{{3, 14, 159, 265, 358, 979}, {}, {.rate = 0.006}};
     const KdTree tree = build_on_sample(mesh.view(), sample, {.split = {.max_leaf = 1}});
     std::vector<std::uint32_t> ids(tree.references().begin(), tree.references().end());
     std::sort(ids.begin(), ids.end());

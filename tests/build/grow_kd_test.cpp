@@ -127,7 +127,7 @@ std::vector<Aabb> row_of_boxes(std::uint32_t count) {
 }
 
 Sample first_ids(std::uint32_t count, double rate) {
-    Sample sample{{}, {.rate = rate}};
+    Sample sample{{}, {}, {.rate = rate}};
     for (std::uint32_t id = 0; id < count; ++id)
         sample.ids.push_back(id);
     return sample;

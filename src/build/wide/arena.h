@@ -1,6 +1,7 @@
 #pragma once
 
 #include "coppice/base/big_buffer.h"
+#include "coppice/base/memory_meter.h"
 
 #include "build/wide/reference.h"
 
@@ -16,8 +17,10 @@ namespace coppice::wide {
 /// time.
 class Arena {
 public:
-    explicit Arena(std::size_t reference_count)
-        : count_(reference_count), memory_(bytes_before_ids() + count_ * sizeof(std::uint32_t)) {}
+    Arena(std::size_t reference_count, MemoryMeter& meter)
+        : count_(reference_count),
+          memory_(bytes_before_ids() + count_ * sizeof(std::uint32_t)),
+          bytes_(&meter, memory_.byte_count()) {}
 
     [[nodiscard]] std::span<Reference> first() const noexcept {
         return memory_.view<Reference>(0, count_);
@@ -36,14 +39,13 @@ public:
         return 2 * count_ * sizeof(Reference);
     }
 
-    [[nodiscard]] std::size_t byte_count() const noexcept { return memory_.byte_count(); }
-
-    /// Gives up the memory. The views stay valid as long as it lives and is not shrunk.
+    /// Gives up the memory, counted as long as this lives. The views stay valid as long as it lives and is not shrunk.
     [[nodiscard]] BigBuffer release() noexcept { return std::move(memory_); }
 
 private:
     std::size_t count_;
     BigBuffer memory_;
+    MeteredBytes bytes_;
 };
 
 }  // namespace coppice::wide

@@ -97,7 +97,7 @@ void fill_blocks(const PlacedPart& placed, std::span<const std::uint32_t> ids,
 
 }  // namespace
 
-WideBvh assemble(GrownTree&& grown, Arena&& arena, TriangleMeshView mesh) {
+WideBvh assemble(GrownTree&& grown, Arena&& arena, TriangleMeshView mesh, MemoryMeter& meter) {
     Places places;
     places.add(grown.root);
     if (places.node_count > WideChild::max_node_index ||
@@ -113,6 +113,7 @@ WideBvh assemble(GrownTree&& grown, Arena&& arena, TriangleMeshView mesh) {
     const std::span<const std::uint32_t> ids = arena.ids();
     const bool fits = all_bytes <= arena.bytes_before_ids();
     BigBuffer storage = fits ? arena.release() : BigBuffer(all_bytes);
+    const MeteredBytes new_bytes(&meter, fits ? 0 : all_bytes);
     const auto nodes = storage.view<WideNode>(0, places.node_count);
     const auto blocks = storage.view<TriangleBlock>(node_bytes, places.block_count);
     parallel_for_chunks(places.parts.size(), 1, [&](std::size_t at, std::size_t /*end*/) {

@@ -182,9 +182,23 @@ private:
 
 }  // namespace
 
-GrownTree grow_wide(const Top& top, std::span<const Range> cells, const Splitter& splitter,
-                    std::span<std::uint32_t> ids) {
-    return Grower(top, cells, splitter, ids).grow();
+std::uint64_t byte_count(const Part& part) noexcept {
+    std::uint64_t bytes = part.nodes.capacity() * sizeof(WideNode) +
+                          part.leaves.capacity() * sizeof(Part::Leaf) +
+                          part.links.capacity() * sizeof(Part::Link);
+    for (const Part::Link& link : part.links)
+        bytes += byte_count(*link.part);
+    return bytes;
+}
+
+GrownTree grow_wide(const Top& top, std::span<const Range> cells, const Arena& arena,
+                    const Kernels& kernels) {
+    Box8 bounds = Box8::make_empty();
+    for (const Range& cell : cells)
+        bounds.grow(cell.box);
+    const SplitCosts costs{static_cast<float>(block_size), true, extent_factor_of(bounds)};
+    const Splitter splitter(arena.first(), arena.second(), costs, kernels);
+    return Grower(top, cells, splitter, arena.ids()).grow();
 }
 
 }  // namespace coppice::wide

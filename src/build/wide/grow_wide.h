@@ -44,15 +44,19 @@ struct GrownTree {
     Aabb bounds;
 };
 
+/// Bytes of a part and all below it.
+[[nodiscard]] std::uint64_t byte_count(const Part& part) noexcept;
+
 /// Builds the wide tree over cells that hang in a top: the top is collapsed into nodes of eight,
-/// and every cell is built on by binned object splits. `ids` receives the leaves' triangles.
+/// and every cell is built on by binned object splits. The arena receives the leaves' ids.
 /// Source: [Wald2007], [Tessari2023].
-[[nodiscard]] GrownTree grow_wide(const Top& top, std::span<const Range> cells,
-                                  const Splitter& splitter, std::span<std::uint32_t> ids);
+[[nodiscard]] GrownTree grow_wide(const Top& top, std::span<const Range> cells, const Arena& arena,
+                                  const Kernels& kernels);
 
 /// Puts the parts together in depth-first order and copies the triangles' corners into blocks. The
 /// tree takes the place of the references in the arena. Throws Error(limit) if there are more nodes
 /// or blocks than a child can name.
-[[nodiscard]] WideBvh assemble(GrownTree&& grown, Arena&& arena, TriangleMeshView mesh);
+[[nodiscard]] WideBvh assemble(GrownTree&& grown, Arena&& arena, TriangleMeshView mesh,
+                               MemoryMeter& meter);
 
 }  // namespace coppice::wide

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "build/kernels/wide_kernels.h"
+#include "build/wide/arena.h"
 #include "build/wide/splitter.h"
 
 #include <cstdint>
@@ -36,5 +37,9 @@ struct Top {
 /// their order. Returns the cells' ranges in buffer 1, without boxes.
 [[nodiscard]] std::vector<Range> fill_cells(const Top& top, std::span<Reference> from,
                                             std::span<Reference> to);
+
+/// The ranges with their boxes and centroids found.
+[[nodiscard]] std::vector<Range> measure_cells(std::span<const Range> cells, const Arena& arena,
+                                               const Kernels& kernels);
 
 }  // namespace coppice::wide
