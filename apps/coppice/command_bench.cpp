@@ -31,7 +31,7 @@ struct Request {
 };
 
 void add_who(CLI::App& parser, lab::BenchOptions& options) {
-    options.methods = {"sampled"};
+    options.methods = {"fast"};
     for (const std::string_view name : {"embree-medium", "embree-high"}) {
         const auto available = names_in(lab::peer_registry());
         const bool is_there =

@@ -22,7 +22,7 @@ namespace coppice::app {
 
 namespace {
 
-constexpr std::string_view default_method = "sampled";
+constexpr std::string_view default_method = "auto";
 
 /// The options as the parser fills them in; what is not given is the method's own.
 struct Request {
@@ -46,12 +46,17 @@ BuildOptions options_of(const Request& request, const Method& method) {
     return options;
 }
 
+Estimate estimate(const Method& method, const BuildOptions& options, const TriangleMesh& mesh) {
+    return method.tree == TreeKind::kd ? estimate_kd_tree(mesh.view(), options)
+                                       : estimate_wide_bvh(mesh.view(), options);
+}
+
 BuildReport build(const Method& method, const BuildOptions& options, const TriangleMesh& mesh) {
     BuildReport report;
-    if (method.tree == TreeKind::wide) {
-        static_cast<void>(build_wide_bvh(mesh.view(), options, &report));
-    } else {
+    if (method.tree == TreeKind::kd) {
         static_cast<void>(build_kd_tree(mesh.view(), options, &report));
+    } else {
+        static_cast<void>(build_wide_bvh(mesh.view(), options, &report));
     }
     report.method = method.name;
     return report;
@@ -68,12 +73,10 @@ void run_request(const Request& request, Output& output) {
         progress.show(names[i] + ": loading");
         const TriangleMesh mesh = load_mesh(files[i]);
         progress.show(names[i] + ": estimating");
-        const Estimate estimate = method.tree == TreeKind::wide
-                                      ? estimate_wide_bvh(mesh.view(), options)
-                                      : estimate_kd_tree(mesh.view(), options);
-        progress.show(names[i] + ": building", estimate.seconds);
+        const Estimate expected = estimate(method, options, mesh);
+        progress.show(names[i] + ": building", expected.seconds);
         BuildReport report = build(method, options, mesh);
-        report.estimate = estimate;
+        report.estimate = expected;
         progress.clear();
         if (request.as_json) {
             scenes.push_back({{"scene", names[i]}, {"file", request.scenes[i]}});

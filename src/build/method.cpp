@@ -34,11 +34,11 @@ BuildOptions sampled() {
 }
 
 BuildOptions subsampled() {
-    return direct("sah");
+    return direct("subsampled");
 }
 
 BuildOptions adaptive() {
-    return direct("sah");
+    return direct("adaptive");
 }
 
 BuildOptions sweep() {

@@ -1,5 +1,5 @@
-// A scene is divided into about 512 pieces by a k-d tree over a sample of 16,384 primitives; every
-// n-th leaf, in depth-first order, is a piece of the probe: close leaves are alike, so taking them
+// A scene is divided into pieces by a k-d tree over a sample of 32 primitives a piece; every n-th
+// leaf, in depth-first order, is a piece of the probe: close leaves are alike, so taking them
 // at even distances covers the scene. All primitives then walk down to the pieces that they touch,
 // where they are clipped. Cost: one walk of a few steps a primitive, in parallel.
 
@@ -18,14 +18,14 @@
 namespace coppice {
 namespace {
 
-constexpr std::uint32_t piece_count = 512;
 constexpr std::uint32_t sampled_per_piece = 32;
 constexpr std::uint32_t no_piece = std::numeric_limits<std::uint32_t>::max();
 
-KdTree divide(PrimitiveSetView primitives) {
+KdTree divide(PrimitiveSetView primitives, std::uint32_t piece_count) {
     BuildOptions options;
     options.sample.rate =
-        std::min(1.0, static_cast<double>(piece_count) * sampled_per_piece / primitives.size());
+        std::min(1.0, double{sampled_per_piece} * piece_count / primitives.size());
+    options.split.rule = "exact";  // fewest primitives cut
     options.split.max_leaf = sampled_per_piece;
     return build_on_sample(primitives, draw_sample(primitives, options.sample), options);
 }
@@ -37,8 +37,10 @@ Vec3f middle_of(const Aabb& box) {
 // Finds the pieces of a probe in the tree that divides a scene, and the parts within them.
 class Prober {
 public:
-    Prober(PrimitiveSetView primitives, std::uint32_t n)
-        : primitives_(primitives), tree_(divide(primitives)), piece_of_(tree_.nodes().size()) {
+    Prober(PrimitiveSetView primitives, std::uint32_t piece_count, std::uint32_t n)
+        : primitives_(primitives),
+          tree_(divide(primitives, piece_count)),
+          piece_of_(tree_.nodes().size()) {
         std::uint32_t leaf_count = 0;
         is_probed_.resize(tree_.nodes().size());
         choose(0, tree_.bounds(), n, leaf_count);
@@ -115,6 +117,14 @@ std::uint64_t Probe::centered_count() const noexcept {
         parts_.begin(), parts_.end(), [](const ProbePart& part) { return part.is_centered; }));
 }
 
+std::vector<std::uint32_t> Probe::centered_ids() const {
+    std::vector<std::uint32_t> ids;
+    for (const ProbePart& part : parts_) {
+        if (part.is_centered) ids.push_back(part.id);
+    }
+    return ids;
+}
+
 Probe Probe::thinned(std::uint32_t n) const {
     std::vector<ProbePart> parts;
     std::copy_if(parts_.begin(), parts_.end(), std::back_inserter(parts),
@@ -122,8 +132,8 @@ Probe Probe::thinned(std::uint32_t n) const {
     return {primitives_, pieces_, std::move(parts)};
 }
 
-Probe take_probe(PrimitiveSetView primitives, std::uint32_t n) {
-    return Prober(primitives, n).probe();
+Probe take_probe(PrimitiveSetView primitives, std::uint32_t piece_count, std::uint32_t n) {
+    return Prober(primitives, piece_count, n).probe();
 }
 
 }  // namespace coppice

@@ -41,6 +41,9 @@ public:
     /// piece of the whole scene, so this over their number is the share of the scene probed.
     [[nodiscard]] std::uint64_t centered_count() const noexcept;
 
+    /// Their ids, ascending.
+    [[nodiscard]] std::vector<std::uint32_t> centered_ids() const;
+
     /// The probe of every n-th piece of this one.
     [[nodiscard]] Probe thinned(std::uint32_t n) const;
 
@@ -50,7 +53,9 @@ private:
     std::vector<ProbePart> parts_;
 };
 
-/// Takes about one in `n` of some hundred pieces that the scene is divided into, evenly over it.
-[[nodiscard]] Probe take_probe(PrimitiveSetView primitives, std::uint32_t n);
+/// Divides a scene into about `piece_count` pieces (one for 1) and takes one in `n` of them, evenly
+/// over it.
+[[nodiscard]] Probe take_probe(PrimitiveSetView primitives, std::uint32_t piece_count,
+                               std::uint32_t n);
 
 }  // namespace coppice

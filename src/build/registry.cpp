@@ -1,11 +1,13 @@
 #include "coppice/base/error.h"
 #include "coppice/build/split_finder.h"
 
+#include "build/split/adaptive_split.h"
 #include "build/split/binned_split.h"
 #include "build/split/exact_split.h"
 #include "build/split/median_split.h"
 #include "build/split/midpoint_split.h"
 #include "build/split/sah_sweep.h"
+#include "build/split/subsampled_split.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -21,6 +23,8 @@ std::span<const SplitFinderEntry> split_finder_registry() {
     static const MidpointSplit midpoint;
     static const ExactSplit exact;
     static const BinnedSplit binned;
+    static const SubsampledSplit subsampled;
+    static const AdaptiveSplit adaptive;
     static const std::array entries{
         SplitFinderEntry{"sah", "cheapest plane by the surface area heuristic, longest axis first",
                          sah},
@@ -30,8 +34,12 @@ std::span<const SplitFinderEntry> split_finder_registry() {
                          midpoint},
         SplitFinderEntry{"exact", "cheapest plane by the surface area heuristic on any axis",
                          exact},
-        SplitFinderEntry{
-            "binned", "as exact in small nodes; from bins, then moved to a fragment end", binned},
+        SplitFinderEntry{"binned", "as exact in small nodes, else bins and the ends near the best",
+                         binned},
+        SplitFinderEntry{"subsampled", "as binned, from 1024 fragments of the node, bins only",
+                         subsampled},
+        SplitFinderEntry{"adaptive", "8 even planes an axis and 8 where the counts change most",
+                         adaptive},
     };
     return entries;
 }

@@ -2,6 +2,7 @@
 
 #include "coppice/base/error.h"
 #include "coppice/build/build_tree.h"
+#include "coppice/build/method.h"
 
 #include "support/meshes.h"
 #include "support/primitives.h"
@@ -57,6 +58,23 @@ TEST(EstimateKdTree, TakesPointsAndEqualPrimitives) {
     TriangleMesh equal = make_soup(1, 0.1F, 1);
     equal.triangles.resize(40000, equal.triangles.front());
     EXPECT_NO_THROW(static_cast<void>(estimate_kd_tree(equal.view(), {})));
+}
+
+TEST(EstimateWideBvh, IsWithinAFifthOfWhatIsFound) {
+    for (const TriangleMesh& mesh : {make_terrain(250, 1), make_soup(60000, 0.01F, 2)}) {
+        for (const char* const name : {"fast", "quality"}) {
+            const BuildOptions options = find_method(name).options();
+            const Estimate estimate = estimate_wide_bvh(mesh.view(), options);
+            BuildReport report;
+            static_cast<void>(build_wide_bvh(mesh.view(), options, &report));
+            expect_near_share(estimate.references, report.statistics.reference_count, 0.2,
+                              "references");
+            expect_near_share(estimate.bytes, report.tree_bytes, 0.2, "bytes");
+            expect_near_share(estimate.peak_bytes, report.peak_bytes, 0.2, "peak bytes");
+            EXPECT_GT(estimate.seconds, 0.0);
+        }
+    }
+    EXPECT_EQ(estimate_wide_bvh(TriangleMeshView(), {}).references, 0.0);
 }
 
 TEST(EstimateKdTree, ChecksItsOptions) {

@@ -12,7 +12,7 @@ namespace {
 TEST(Probe, OfEveryPieceHasEveryPrimitiveOnce) {
     const TriangleMesh mesh = make_soup(20000, 0.05F, 1);
     const TriangleMeshView view = mesh.view();
-    const Probe probe = take_probe(view, 1);
+    const Probe probe = take_probe(view, 512, 1);
     EXPECT_EQ(probe.centered_count(), 20000U);
     EXPECT_GT(probe.size(), 20000U) << "triangles across a border are in several pieces";
 }
@@ -20,7 +20,7 @@ TEST(Probe, OfEveryPieceHasEveryPrimitiveOnce) {
 TEST(Probe, TakesItsShareOfTheScene) {
     const TriangleMesh mesh = make_terrain(200, 1);
     const TriangleMeshView view = mesh.view();
-    const Probe probe = take_probe(view, 16);
+    const Probe probe = take_probe(view, 512, 16);
     const double share =
         static_cast<double>(probe.centered_count()) / static_cast<double>(mesh.triangles.size());
     EXPECT_NEAR(share, 1.0 / 16.0, 0.02);
@@ -31,7 +31,7 @@ TEST(Probe, TakesItsShareOfTheScene) {
 TEST(Probe, PartsStayWithinTheirPieces) {
     const TriangleMesh mesh = make_soup(5000, 0.2F, 2);
     const TriangleMeshView view = mesh.view();
-    const Probe probe = take_probe(view, 8);
+    const Probe probe = take_probe(view, 512, 8);
     const Aabb everywhere{{-9, -9, -9}, {9, 9, 9}};
     for (std::uint32_t id = 0; id < probe.size(); ++id) {
         const Aabb box = probe.bounds(id);

@@ -18,8 +18,8 @@ for key, entries in json.load(sys.stdin).items():
 ' <<<"$stdout")" 'primitives points triangles
 protocols fixed scaled grown
 methods exact binned sampled subsampled adaptive sweep fast balanced quality auto
-splits sah median midpoint
-samplers uniform
+splits sah median midpoint exact binned subsampled adaptive
+samplers uniform stratified weighted
 procedural_scenes terrain spheres soup city'
 
 # A reader that goes away is no failure; a full disk is.

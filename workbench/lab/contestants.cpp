@@ -8,41 +8,46 @@
 
 #include "lab/contestant.h"
 
+#include <optional>
+#include <utility>
+
 namespace coppice::lab {
 
 namespace {
 
-// What a report says of the tree and, as the call that made it did more than build, of the times.
-void note(const BuildReport& report, BuildFigures& figures) {
-    figures.wall_seconds = report.stages.wall_seconds();
-    figures.cpu_seconds = report.stages.cpu_seconds();
-    figures.bytes = report.tree_bytes;
-    figures.peak_bytes = report.peak_bytes;
-    figures.sah_cost = report.statistics.sah_cost;
-    figures.reference_count = static_cast<double>(report.statistics.reference_count);
-}
-
-// Builds by a callable that takes where to put a report, or null.
+/// The figures of a build, taken by `build(report)`: a function that builds, and that measures the
+/// tree as well if it is given a report.
 template <typename Build>
-void build_into(BuildFigures& figures, bool is_measured, Build&& build) {
+BuildFigures figures_of(bool is_measured, BuildFigures last, Build&& build) {
+    if (!is_measured) {
+        const Timer wall;
+        const CpuTimer cpu;
+        build(nullptr);
+        last.wall_seconds = wall.seconds();
+        last.cpu_seconds = cpu.seconds();
+        return last;
+    }
     BuildReport report;
-    const Timer wall;
-    const CpuTimer cpu;
-    build(is_measured ? &report : nullptr);
-    figures.wall_seconds = wall.seconds();
-    figures.cpu_seconds = cpu.seconds();
-    if (is_measured) note(report, figures);
+    build(&report);
+    // The call did more than build: it measured.
+    return {report.stages.wall_seconds(),
+            report.stages.cpu_seconds(),
+            report.tree_bytes,
+            report.peak_bytes,
+            report.statistics.sah_cost,
+            static_cast<double>(report.statistics.reference_count)};
 }
 
+/// A k-d tree.
 class KdContestant final : public Contestant {
 public:
     explicit KdContestant(BuildOptions options) : options_(std::move(options)) {}
 
     BuildFigures build(TriangleMeshView mesh, bool is_measured) override {
         mesh_ = mesh;
-        build_into(figures_, is_measured,
-                   [&](BuildReport* report) { tree_ = build_kd_tree(mesh, options_, report); });
-        return figures_;
+        return figures_ = figures_of(is_measured, figures_, [&](BuildReport* report) {
+                   tree_ = build_kd_tree(mesh, options_, report);
+               });
     }
 
     void clear() noexcept override { tree_ = {}; }
@@ -67,33 +72,35 @@ private:
     BuildFigures figures_;
 };
 
+/// An 8-wide tree.
 class WideContestant final : public Contestant {
 public:
     explicit WideContestant(BuildOptions options) : options_(std::move(options)) {}
 
     BuildFigures build(TriangleMeshView mesh, bool is_measured) override {
-        build_into(figures_, is_measured, [&](BuildReport* report) {
-            tracer_ = WideTracer(build_wide_bvh(mesh, options_, report));
-        });
-        return figures_;
+        return figures_ = figures_of(is_measured, figures_, [&](BuildReport* report) {
+                   tracer_.emplace(build_wide_bvh(mesh, options_, report));
+               });
     }
 
-    void clear() noexcept override { tracer_ = WideTracer(WideBvh()); }
+    void clear() noexcept override { tracer_.reset(); }
 
     void intersect(std::span<const Ray> rays, std::span<Hit> hits) const noexcept override {
-        for (std::size_t i = 0; i < rays.size(); ++i)
-            hits[i] = tracer_.intersect(rays[i]).value_or(Hit{});
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            hits[i] = tracer_->intersect(rays[i]).value_or(Hit{});
+        }
     }
 
     void occluded(std::span<const Ray> rays,
                   std::span<std::uint8_t> flags) const noexcept override {
-        for (std::size_t i = 0; i < rays.size(); ++i)
-            flags[i] = tracer_.occluded(rays[i]) ? 1 : 0;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            flags[i] = tracer_->occluded(rays[i]) ? 1 : 0;
+        }
     }
 
 private:
     BuildOptions options_;
-    WideTracer tracer_{WideBvh()};
+    std::optional<WideTracer> tracer_;
     BuildFigures figures_;
 };
 

@@ -13,7 +13,7 @@ namespace coppice {
 /// Throws like build_kd_tree().
 [[nodiscard]] Estimate estimate_kd_tree(PrimitiveSetView primitives, const BuildOptions& options);
 
-/// The same for build_wide_bvh().
+/// The same of build_wide_bvh().
 [[nodiscard]] Estimate estimate_wide_bvh(TriangleMeshView mesh, const BuildOptions& options);
 
 }  // namespace coppice

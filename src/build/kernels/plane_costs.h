@@ -4,22 +4,22 @@
 
 namespace coppice {
 
+inline constexpr std::size_t small_node_capacity = 64;
+
 /// The ends of a small node's fragments on one axis, and their weights.
 struct AxisEnds {
-    static constexpr std::size_t capacity = 64;
-
-    alignas(32) float lower[capacity];
-    alignas(32) float upper[capacity];
-    alignas(32) float weight[capacity];
-    std::size_t count = 0;
-    bool has_planar = false;  ///< one of the fragments is flat
+    const float* lower;
+    const float* upper;
+    const float* weight;
+    std::size_t count;  ///< at most small_node_capacity
+    bool has_planar;    ///< one of the fragments is flat
 };
 
 /// Candidate planes on one axis: each a position, the weights that reach below, above and only into
 /// it, and what a split there costs with those in the plane on the better side. Whole vectors are
 /// written: what stands from `count` on is arbitrary.
 struct AxisPlanes {
-    static constexpr std::size_t capacity = 2 * AxisEnds::capacity;
+    static constexpr std::size_t capacity = 2 * small_node_capacity;
 
     alignas(32) float position[capacity + 1];
     alignas(32) float below[capacity];

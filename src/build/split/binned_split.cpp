@@ -43,8 +43,8 @@ std::optional<Split> BinnedSplit::find(const SplitQuery& query) const {
     for (const Axis axis : all_axes) {
         offer_extent(query, axis, bins.extent, weight, best);
         const AxisBins& axis_bins = bins.axes[static_cast<std::size_t>(axis)];
-        if (const auto bin = best_boundary(query, axis, axis_bins, weight)) {
-            snap(query, *grid, axis_bins, {axis, *bin}, best);
+        if (const auto boundary = best_boundary(query, axis, axis_bins, weight)) {
+            snap(query, *grid, axis_bins, *boundary, best);
         }
     }
     return best.get();

@@ -18,6 +18,11 @@ struct SplitCounts {
 class PlaneEvaluator {
 public:
     PlaneEvaluator(const Aabb& box, Axis axis, const SahCostModel& cost) noexcept
+        : PlaneEvaluator(box, axis, cost, 1.0 / box.surface_area()) {}
+
+    /// The same with the inverse of the box's area known.
+    PlaneEvaluator(const Aabb& box, Axis axis, const SahCostModel& cost,
+                   double inverse_area) noexcept
         : axis_(axis), lower_(box.lower[axis]), upper_(box.upper[axis]) {
         const double width = box.extent(next_axis(axis));
         const double height = box.extent(next_axis(next_axis(axis)));
@@ -25,7 +30,7 @@ public:
                   upper_,
                   2.0 * width * height,
                   2.0 * (width + height),
-                  1.0 / box.surface_area(),
+                  inverse_area,
                   cost.traversal,
                   cost.intersection,
                   cost.intersection * (1.0 - cost.empty_bonus)};

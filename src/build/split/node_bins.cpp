@@ -4,7 +4,6 @@
 
 #include "build/split/evaluate_plane.h"
 
-#include <limits>
 #include <vector>
 
 namespace coppice {
@@ -43,10 +42,9 @@ NodeBins bin_node(std::span<const Fragment> fragments, const BinGrid& grid) {
     return sum;
 }
 
-std::optional<std::size_t> best_boundary(const SplitQuery& query, Axis axis, const AxisBins& bins,
+std::optional<BinBoundary> best_boundary(const SplitQuery& query, Axis axis, const AxisBins& bins,
                                          double weight) {
-    std::optional<std::size_t> best;
-    double least_cost = std::numeric_limits<double>::infinity();
+    std::optional<BinBoundary> best;
     const PlaneEvaluator evaluator(query.box, axis, query.cost);
     const double width = query.box.extent(axis) / static_cast<double>(bin_count);
     SplitCounts counts{0.0, weight, 0.0};
@@ -57,10 +55,7 @@ std::optional<std::size_t> best_boundary(const SplitQuery& query, Axis axis, con
             static_cast<float>(query.box.lower[axis] + static_cast<double>(bin) * width);
         if (!evaluator.is_inside(position)) continue;
         const double cost = evaluator.evaluate(position, counts).cost;
-        if (cost < least_cost) {
-            least_cost = cost;
-            best = bin;
-        }
+        if (!best || cost < best->cost) best = {{axis, position + 0.0F}, bin, cost};
     }
     return best;
 }

@@ -15,9 +15,16 @@ namespace coppice {
 /// The bins of a node, counted in parallel where there are many fragments.
 [[nodiscard]] NodeBins bin_node(std::span<const Fragment> fragments, const BinGrid& grid);
 
-/// The bin of an axis before which a plane would cost least; nothing if the grid has no boundary
-/// inside the node. `weight`: of all fragments.
-[[nodiscard]] std::optional<std::size_t> best_boundary(const SplitQuery& query, Axis axis,
+/// The boundary before a bin of an axis.
+struct BinBoundary {
+    Plane plane;
+    std::size_t bin;  ///< in [1, bin_count)
+    double cost;      ///< of a split at the plane
+};
+
+/// The boundary on an axis where a split costs least; nothing if the grid has none inside the node.
+/// `weight`: of all fragments.
+[[nodiscard]] std::optional<BinBoundary> best_boundary(const SplitQuery& query, Axis axis,
                                                        const AxisBins& bins, double weight);
 
 }  // namespace coppice

@@ -13,22 +13,44 @@
 namespace coppice {
 namespace {
 
-void gather(std::span<const Fragment> fragments, std::array<AxisEnds, 3>& ends) noexcept {
-    for (std::size_t i = 0; i < fragments.size(); ++i) {
-        const Fragment& fragment = fragments[i];
-        for (const Axis axis : all_axes) {
-            AxisEnds& on_axis = ends[static_cast<std::size_t>(axis)];
-            const float lower = fragment.box.lower[axis];
-            const float upper = fragment.box.upper[axis];
-            on_axis.lower[i] = lower;
-            on_axis.upper[i] = upper;
-            on_axis.weight[i] = fragment.weight;
-            on_axis.has_planar |= lower == upper;
+// The fragments of a node, each number in an array of its own.
+class NodeEnds {
+public:
+    explicit NodeEnds(std::span<const Fragment> fragments) noexcept : count_(fragments.size()) {
+        std::array<bool, 3> has_planar{};
+        for (std::size_t i = 0; i < count_; ++i) {
+            const Fragment& fragment = fragments[i];
+            const Vec3f& lower = fragment.box.lower;
+            const Vec3f& upper = fragment.box.upper;
+            lower_[0][i] = lower.x;
+            lower_[1][i] = lower.y;
+            lower_[2][i] = lower.z;
+            upper_[0][i] = upper.x;
+            upper_[1][i] = upper.y;
+            upper_[2][i] = upper.z;
+            weight_[i] = fragment.weight;
+            has_planar[0] |= lower.x == upper.x;
+            has_planar[1] |= lower.y == upper.y;
+            has_planar[2] |= lower.z == upper.z;
         }
+        has_planar_ = has_planar;
     }
-    for (AxisEnds& on_axis : ends)
-        on_axis.count = fragments.size();
-}
+
+    [[nodiscard]] AxisEnds on(Axis axis) const noexcept {
+        const auto index = static_cast<std::size_t>(axis);
+        return {lower_[index].data(), upper_[index].data(), weight_.data(), count_,
+                has_planar_[index]};
+    }
+
+private:
+    using Numbers = std::array<float, small_node_capacity>;
+
+    std::array<Numbers, 3> lower_;
+    std::array<Numbers, 3> upper_;
+    Numbers weight_;
+    std::array<bool, 3> has_planar_;
+    std::size_t count_;
+};
 
 void list_planes(const AxisEnds& ends, const PlaneEvaluator& evaluator,
                  AxisPlanes& planes) noexcept {
@@ -60,12 +82,11 @@ void search_axis(const AxisEnds& ends, const PlaneEvaluator& evaluator, BestSpli
 }  // namespace
 
 std::optional<Split> find_in_small_node(const SplitQuery& query) noexcept {
-    std::array<AxisEnds, 3> ends;
-    gather(query.fragments, ends);
+    const NodeEnds ends(query.fragments);
+    const double inverse_area = 1.0 / query.box.surface_area();
     BestSplit best;
     for (const Axis axis : all_axes) {
-        search_axis(ends[static_cast<std::size_t>(axis)],
-                    PlaneEvaluator(query.box, axis, query.cost), best);
+        search_axis(ends.on(axis), PlaneEvaluator(query.box, axis, query.cost, inverse_area), best);
     }
     return best.get();
 }

@@ -2,13 +2,15 @@
 
 #include "coppice/build/split_finder.h"
 
+#include "build/kernels/plane_costs.h"
+
 #include <cstddef>
 #include <optional>
 
 namespace coppice {
 
 /// Nodes of at most so many fragments are small.
-inline constexpr std::size_t small_node_size = 64;
+inline constexpr std::size_t small_node_size = small_node_capacity;
 
 /// The cheapest split of a small node at any fragment end on any axis; of equal ones the first by
 /// axis, then by position: what ExactSplit finds in any node.

@@ -9,9 +9,9 @@
 
 namespace coppice {
 
-void snap(const SplitQuery& query, const BinGrid& grid, const AxisBins& bins, BinBoundary boundary,
-          BestSplit& best) {
-    const Axis axis = boundary.axis;
+void snap(const SplitQuery& query, const BinGrid& grid, const AxisBins& bins,
+          const BinBoundary& boundary, BestSplit& best) {
+    const Axis axis = boundary.plane.axis;
     SplitCounts counts;
     for (std::size_t bin = 0; bin < bin_count; ++bin) {
         if (bin + 1 < boundary.bin) counts.below += bins.starts[bin];

@@ -7,14 +7,8 @@
 
 namespace coppice {
 
-/// The boundary before a bin of an axis.
-struct BinBoundary {
-    Axis axis;
-    std::size_t bin;  ///< in [1, bin_count)
-};
-
 /// Offers the cheapest split at a fragment end in the bins on both sides of a boundary.
-void snap(const SplitQuery& query, const BinGrid& grid, const AxisBins& bins, BinBoundary boundary,
-          BestSplit& best);
+void snap(const SplitQuery& query, const BinGrid& grid, const AxisBins& bins,
+          const BinBoundary& boundary, BestSplit& best);
 
 }  // namespace coppice
