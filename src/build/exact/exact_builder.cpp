@@ -46,11 +46,18 @@ TreePart ExactBuilder::build_node(ExactNode node, NodeState state) const {
             classify(node, plane, split->planar_side, division_, sides);
         children = splice(std::move(node), classification, std::move(sides));
     }
+    const double more =
+        static_cast<double>(children.below.fragments.size() + children.above.fragments.size()) /
+        static_cast<double>(count);
     return build_both(
         plane, split->planar_side, count,
-        [&] { return build_node(std::move(children.below), state.child(below(state.box, plane))); },
         [&] {
-            return build_node(std::move(children.above), state.child(above(state.box, plane)));
+            return build_node(std::move(children.below),
+                              state.child(below(state.box, plane), more));
+        },
+        [&] {
+            return build_node(std::move(children.above),
+                              state.child(above(state.box, plane), more));
         });
 }
 
