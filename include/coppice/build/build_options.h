@@ -39,10 +39,11 @@ struct SplitOptions {
     Clipping clipping = Clipping::perfect;
     Counting counting = Counting::sampled;
     Stop stop = Stop::limits;
-    std::uint32_t max_duplication =
-        std::numeric_limits<std::uint32_t>::max();  ///< where splits go on as long as they pay
-                                                    ///< (stop, growth), references that a primitive
-                                                    ///< may become, on average along a path; >= 1
+    /// Where splits go on as long as they pay, in a build that stops so and in growth: nodes of
+    /// fewer primitives are not split; >= 1.
+    std::uint32_t min_split = 1;
+    /// There, too: references that a primitive may become, on average along a path; >= 1.
+    std::uint32_t max_duplication = std::numeric_limits<std::uint32_t>::max();
 };
 
 /// How the refilled leaves go on.
