@@ -11,34 +11,56 @@
 namespace coppice {
 namespace {
 
+// Planes that cut off empty space earn a little more than the heuristic gives them: with less or
+// more of it, trees of all scenes cost more (docs/decisions/0004).
+constexpr SahCostModel cost{.empty_bonus = 0.2};
+
+// How far splitting goes on while it pays. The last bit of it gains a fraction of a percent and
+// takes much of the time (docs/decisions/0004).
+struct Effort {
+    std::uint32_t min_split;
+    std::uint32_t max_duplication;
+};
+
+constexpr Effort thorough{1, 64};
+constexpr Effort usual{3, 6};
+constexpr Effort quick{4, 4};
+
 // A k-d tree built from all primitives until no split pays.
-BuildOptions direct(const char* rule) {
-    return {.split = {.rule = rule, .stop = Stop::sah},
+BuildOptions direct(const char* rule, Effort effort) {
+    return {.split = {.rule = rule,
+                      .stop = Stop::sah,
+                      .min_split = effort.min_split,
+                      .max_duplication = effort.max_duplication},
             .growth = Growth::none,
-            .cost = {.empty_bonus = 0.2}};
+            .cost = cost};
 }
 
 BuildOptions exact() {
-    return direct("exact");
+    return direct("exact", thorough);
 }
 
 BuildOptions binned() {
-    return direct("binned");
+    return direct("binned", usual);
 }
 
 BuildOptions sampled() {
     return {.sample = {.rate = 0.01},
-            .split = {.rule = "binned", .max_leaf = 64, .bad_refines = 1},
+            .split = {.rule = "binned",
+                      .max_leaf = 64,
+                      .bad_refines = 1,
+                      .min_split = quick.min_split,
+                      .max_duplication = quick.max_duplication},
             .growth = Growth::kd,
-            .cost = {.empty_bonus = 0.2}};
+            .cost = cost};
 }
 
 BuildOptions subsampled() {
-    return direct("subsampled");
+    return direct("subsampled", usual);
 }
 
 BuildOptions adaptive() {
-    return direct("adaptive");
+    return direct("adaptive", usual);
 }
 
 BuildOptions sweep() {

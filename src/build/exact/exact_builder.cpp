@@ -47,6 +47,9 @@ TreePart ExactBuilder::build_node(ExactNode node, NodeState state) const {
             classify(node, plane, split->planar_side, division_, sides);
         children = splice(std::move(node), classification, std::move(sides));
     }
+    const double more =
+        static_cast<double>(children.below.fragments.size() + children.above.fragments.size()) /
+        static_cast<double>(count);
     // While the children's arrays were made, the node's were there too.
     MeteredBytes below_bytes(division_.meter, children.below.capacity_bytes());
     MeteredBytes above_bytes(division_.meter, children.above.capacity_bytes());
@@ -55,11 +58,13 @@ TreePart ExactBuilder::build_node(ExactNode node, NodeState state) const {
         plane, split->planar_side, count,
         [&] {
             below_bytes.release();  // the child counts its own
-            return build_node(std::move(children.below), state.child(below(state.box, plane)));
+            return build_node(std::move(children.below),
+                              state.child(below(state.box, plane), more));
         },
         [&] {
             above_bytes.release();
-            return build_node(std::move(children.above), state.child(above(state.box, plane)));
+            return build_node(std::move(children.above),
+                              state.child(above(state.box, plane), more));
         });
 }
 
