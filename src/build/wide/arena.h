@@ -39,7 +39,8 @@ public:
         return 2 * count_ * sizeof(Reference);
     }
 
-    /// Gives up the memory, counted as long as this lives. The views stay valid as long as it lives and is not shrunk.
+    /// Gives up the memory, counted as long as this lives. The views stay valid as long as it lives
+    /// and is not shrunk.
     [[nodiscard]] BigBuffer release() noexcept { return std::move(memory_); }
 
 private:
