@@ -73,6 +73,7 @@ struct alignas(64) WideNode {
     std::array<std::array<float, wide_width>, 3> lower;
     std::array<std::array<float, wide_width>, 3> upper;
     std::array<WideChild, wide_width> child;
+    std::array<std::uint32_t, 8> unused{};  ///< up to whole cache lines; 0, so that bytes compare
 
     /// The box of one child.
     [[nodiscard]] Aabb child_box(std::size_t slot) const noexcept {

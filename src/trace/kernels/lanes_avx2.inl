@@ -44,3 +44,7 @@ inline Lanes abs(Lanes a) noexcept {
 inline unsigned less_equal(Lanes a, Lanes b) noexcept {
     return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a.lane, b.lane, _CMP_LE_OQ)));
 }
+
+inline unsigned less(Lanes a, Lanes b) noexcept {
+    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a.lane, b.lane, _CMP_LT_OQ)));
+}

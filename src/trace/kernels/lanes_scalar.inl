@@ -55,3 +55,11 @@ inline unsigned less_equal(Lanes a, Lanes b) noexcept {
         mask |= (a.lane[i] <= b.lane[i] ? 1U : 0U) << i;
     return mask;
 }
+
+// The same for a < b.
+inline unsigned less(Lanes a, Lanes b) noexcept {
+    unsigned mask = 0;
+    for (unsigned i = 0; i < 8; ++i)
+        mask |= (a.lane[i] < b.lane[i] ? 1U : 0U) << i;
+    return mask;
+}

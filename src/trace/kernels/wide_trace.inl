@@ -2,7 +2,7 @@
 // after that set's lanes_*.inl.
 //
 // Boxes: all eight children are cut with the ray at once. Differences and reciprocals in float are
-// off by 3 units of rounding at most, and intervals are widened by 4 [Ize2013], so no box that the
+// off by 3 units of rounding at most, and intervals are widened by 8 [Ize2013], so no box that the
 // ray touches is passed over. A direction component of zero (or -0) gives infinite distances, or
 // NaN where the origin lies in the plane of a face; minimum and maximum then take their second
 // argument, so such a face does not cut.
@@ -39,13 +39,24 @@ inline Lanes3 broadcast(Vec3f v) noexcept {
     return {broadcast(v.x), broadcast(v.y), broadcast(v.z)};
 }
 
+// The reciprocal of a direction's component, or NaN where it or a distance to a box could overflow:
+// then nothing is cut on that axis.
+inline float inverse_of(Axis axis, const Ray& ray, const Aabb& bounds) noexcept {
+    constexpr float far = 0x1.0p126F;
+    const float direction = ray.direction[axis];
+    const bool is_tiny = direction != 0.0F && std::abs(direction) < 0x1.0p-100F;
+    const bool is_near = std::abs(ray.origin[axis]) < far && bounds.lower[axis] > -far &&
+                         bounds.upper[axis] < far;
+    return is_near && !is_tiny ? 1.0F / direction : std::numeric_limits<float>::quiet_NaN();
+}
+
 // A ray as the kernels use it.
 struct LaneRay {
-    explicit LaneRay(const Ray& ray) noexcept
+    LaneRay(const Ray& ray, const Aabb& bounds) noexcept
         : origin(broadcast(ray.origin)),
           direction(broadcast(ray.direction)),
-          inverse(broadcast({1.0F / ray.direction.x, 1.0F / ray.direction.y,
-                             1.0F / ray.direction.z})),
+          inverse(broadcast({inverse_of(Axis::x, ray, bounds), inverse_of(Axis::y, ray, bounds),
+                             inverse_of(Axis::z, ray, bounds)})),
           is_negative{std::signbit(ray.direction.x), std::signbit(ray.direction.y),
                       std::signbit(ray.direction.z)} {}
 
@@ -57,12 +68,15 @@ struct LaneRay {
 
 // Hits count by their rounded t: those a little outside of an interval may belong to it. The least
 // slack is far from the denormal numbers, which are slow to calculate with.
+constexpr float shrink = 1.0F - 0x1.0p-21F;
+constexpr float grow = 1.0F + 0x1.0p-21F;
+
 inline float above(float t) noexcept {
-    return t + 0x1.0p-21F * std::abs(t) + 0x1.0p-100F;
+    return std::max(t * shrink, t * grow) + 0x1.0p-100F;
 }
 
 inline float below(float t) noexcept {
-    return t - 0x1.0p-21F * std::abs(t) - 0x1.0p-100F;
+    return std::min(t * shrink, t * grow) - 0x1.0p-100F;
 }
 
 struct BoxHits {
@@ -83,8 +97,9 @@ inline BoxHits meet_boxes(const WideNode& node, const LaneRay& ray, Lanes enter,
     cut(0, ray.origin.x, ray.inverse.x);
     cut(1, ray.origin.y, ray.inverse.y);
     cut(2, ray.origin.z, ray.inverse.z);
-    const Lanes slack = broadcast(0x1.0p-22F);
-    return {less_equal(enter - abs(enter) * slack, exit + abs(exit) * slack), enter};
+    const Lanes low = broadcast(shrink);
+    const Lanes high = broadcast(grow);
+    return {less_equal(min(enter * low, enter * high), max(exit * low, exit * high)), enter};
 }
 
 // Twice the volume between the ray and an edge from `a` to `b`, by both as seen from its origin.
@@ -114,12 +129,17 @@ inline unsigned sift_triangles(const TriangleBlock& block, const LaneRay& ray) n
     const Lanes largest = max(abs(ab), max(abs(bc), abs(ca)));
     // Corners are off by 2^-24 of their distance, products and sums by a few times 2^-24: together
     // by less than 2^-19 reach size |direction|, plus a share of the volumes themselves.
-    const Lanes error = broadcast(0x1.0p-19F) * (reach * size * sum_of_abs(ray.direction)) +
-                        broadcast(0x1.0p-19F) * largest;
+    // What underflows is less than 2^-120 (1 + |direction|).
+    const Lanes direction_size = sum_of_abs(ray.direction);
+    const Lanes error = broadcast(0x1.0p-19F) * (reach * size * direction_size + largest) +
+                        broadcast(0x1.0p-120F) * (direction_size + broadcast(1.0F));
     const Lanes least = min(ab, min(bc, ca));
     const Lanes most = max(ab, max(bc, ca));
     const Lanes zero = broadcast(0.0F);
-    return less_equal(zero, least + error) | less_equal(most - error, zero);
+    // What overflowed is NaN and stays; lanes without a triangle are NaN from the start.
+    const unsigned is_outside = less(least + error, zero) & less(zero, most - error);
+    const Lanes first = load(block.corner[0][0]);
+    return less_equal(first, first) & ~is_outside;
 }
 
 struct Entry {
@@ -131,7 +151,10 @@ template <bool any_hit>
 class Traversal {
 public:
     Traversal(const WideBvh& tree, const Ray& ray) noexcept
-        : tree_(tree), lanes_(ray), test_(ray), enter_(broadcast(below(ray.t_min))),
+        : tree_(tree),
+          lanes_(ray, tree.bounds()),
+          test_(ray),
+          enter_(broadcast(below(ray.t_min))),
           exit_(broadcast(above(ray.t_max))) {
         hit_.t = ray.t_max;
     }
@@ -162,6 +185,7 @@ private:
         for (unsigned rest = met.mask; rest != 0; rest &= rest - 1) {
             const auto slot = static_cast<std::size_t>(std::countr_zero(rest));
             const Entry entry{enter[slot], node.child[slot]};
+            if (entry.child.is_empty()) break;  // met only if no axis cuts; the rest is empty too
             std::size_t at = size_++;
             for (; at > first && stack_[at - 1].enter < entry.enter; --at)
                 stack_[at] = stack_[at - 1];
