@@ -32,8 +32,8 @@ float weight_at(const Sample& sample, std::size_t index, Counting counting) {
 }
 
 StopRule stop_rule(const SplitOptions& split) {
-    if (split.stop == Stop::sah) return {0, 1, split.max_depth, SplitSearch::until_it_pays};
-    return {split.max_leaf, split.bad_refines, split.max_depth, SplitSearch::first_offer};
+    if (split.stop == Stop::sah) return until_it_pays(split);
+    return {split.max_leaf, split.bad_refines, split.max_depth, SplitSearch::first_offer, 0.0};
 }
 
 TreePart build_part(PrimitiveSetView primitives, const BuildOptions& options,

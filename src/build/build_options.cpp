@@ -27,6 +27,7 @@ void check(const BuildOptions& options) {
             split.max_depth, "[0, 60]");
     require(split.max_leaf >= 1, "max leaf", split.max_leaf, "[1, 2^32)");
     require(split.bad_refines >= 1, "bad refines", split.bad_refines, "[1, 2^31)");
+    require(split.max_duplication >= 1, "max duplication", split.max_duplication, "[1, 2^32)");
     require(options.threads >= 0, "threads", options.threads, "[0, 2^31)");
     require(options.wide.cell_size >= 64, "cell size", options.wide.cell_size, "[64, 2^32)");
     check(options.cost);
@@ -74,7 +75,8 @@ void to_json(nlohmann::json& json, const BuildOptions& options) {
               {"bad_refines", options.split.bad_refines},
               {"clipping", name_of(options.split.clipping)},
               {"counting", name_of(options.split.counting)},
-              {"stop", name_of(options.split.stop)}}},
+              {"stop", name_of(options.split.stop)},
+              {"max_duplication", options.split.max_duplication}}},
             {"growth", name_of(options.growth)},
             {"cost", options.cost},
             {"wide", {{"preset", name_of(options.wide.preset)}}},

@@ -44,8 +44,7 @@ public:
         : nodes_(tree.nodes()),
           division_{primitives, options.split.clipping, meter},
           options_(options),
-          builder_(primitives, options, {0, 1, options.split.max_depth, SplitSearch::until_it_pays},
-                   meter) {}
+          builder_(primitives, options, until_it_pays(options.split), meter) {}
 
     // A node of the old tree with all its fragments.
     struct Node {

@@ -3,6 +3,13 @@
 #include <utility>
 
 namespace coppice {
+namespace {
+
+double ratio(std::size_t after, std::size_t before) noexcept {
+    return static_cast<double>(after) / static_cast<double>(before);
+}
+
+}  // namespace
 
 KdBuilder::KdBuilder(PrimitiveSetView primitives, const BuildOptions& options, const StopRule& stop,
                      MemoryMeter* meter)
@@ -42,10 +49,11 @@ TreePart KdBuilder::build(std::vector<Fragment> fragments, NodeState node) const
     Partition sides = partition(fragments, plane, split->planar_side, division_);
     fragments = {};  // freed before the recursion, which needs the memory
     bytes.release();
+    const double more = ratio(sides.below.size() + sides.above.size(), count);
     return build_both(
         plane, split->planar_side, count,
-        [&] { return build(sides.take_below(), node.child(below(node.box, plane))); },
-        [&] { return build(sides.take_above(), node.child(above(node.box, plane))); });
+        [&] { return build(sides.take_below(), node.child(below(node.box, plane), more)); },
+        [&] { return build(sides.take_above(), node.child(above(node.box, plane), more)); });
 }
 
 // As build(), within one task: the node's fragments are the topmost `count`, and are popped.
@@ -60,8 +68,9 @@ void KdBuilder::build_alone(Subtree& tree, std::uint32_t slot, FragmentStack& st
     const Plane plane = split->plane;
     const auto sides = stack.divide_top(count, plane, split->planar_side, division_);
     const std::uint32_t lower = make_inner(tree, slot, plane, split->planar_side);
-    build_alone(tree, lower, stack, sides.below, node.child(below(node.box, plane)));
-    build_alone(tree, lower + 1, stack, sides.above, node.child(above(node.box, plane)));
+    const double more = ratio(sides.below + sides.above, count);
+    build_alone(tree, lower, stack, sides.below, node.child(below(node.box, plane), more));
+    build_alone(tree, lower + 1, stack, sides.above, node.child(above(node.box, plane), more));
 }
 
 }  // namespace coppice

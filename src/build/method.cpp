@@ -11,34 +11,47 @@
 namespace coppice {
 namespace {
 
+// Planes that cut off empty space earn a little more than the heuristic gives them: with less or
+// more of it, trees of all scenes cost more (docs/decisions/0004).
+constexpr SahCostModel cost{.empty_bonus = 0.2};
+
 // A k-d tree built from all primitives until no split pays.
-BuildOptions direct(const char* rule) {
-    return {.split = {.rule = rule, .stop = Stop::sah},
+BuildOptions direct(const char* rule, std::uint32_t max_duplication) {
+    return {.split = {.rule = rule, .stop = Stop::sah, .max_duplication = max_duplication},
             .growth = Growth::none,
-            .cost = {.empty_bonus = 0.2}};
+            .cost = cost};
 }
 
+// The more duplication is allowed, the lower the cost and the longer the build: from 8 on the cost
+// gains less than 1 % (docs/decisions/0004).
+constexpr std::uint32_t reference_duplication = 64;
+constexpr std::uint32_t usual_duplication = 8;
+constexpr std::uint32_t least_duplication = 5;
+
 BuildOptions exact() {
-    return direct("exact");
+    return direct("exact", reference_duplication);
 }
 
 BuildOptions binned() {
-    return direct("binned");
+    return direct("binned", usual_duplication);
 }
 
 BuildOptions sampled() {
     return {.sample = {.rate = 0.01},
-            .split = {.rule = "binned", .max_leaf = 64, .bad_refines = 1},
+            .split = {.rule = "binned",
+                      .max_leaf = 64,
+                      .bad_refines = 1,
+                      .max_duplication = least_duplication},
             .growth = Growth::kd,
-            .cost = {.empty_bonus = 0.2}};
+            .cost = cost};
 }
 
 BuildOptions subsampled() {
-    return direct("subsampled");
+    return direct("subsampled", usual_duplication);
 }
 
 BuildOptions adaptive() {
-    return direct("adaptive");
+    return direct("adaptive", usual_duplication);
 }
 
 BuildOptions sweep() {

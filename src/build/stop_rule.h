@@ -19,10 +19,11 @@ struct NodeState {
     Aabb box;
     int depth = 0;
     int bad_refines_so_far = 0;
+    double duplication = 1.0;  ///< how many a fragment has become on the path, on average
 
-    /// The state of a child with this box.
-    [[nodiscard]] NodeState child(const Aabb& child_box) const noexcept {
-        return {child_box, depth + 1, bad_refines_so_far};
+    /// The state of a child with this box. `more`: the fragments of both children over the node's.
+    [[nodiscard]] NodeState child(const Aabb& child_box, double more) const noexcept {
+        return {child_box, depth + 1, bad_refines_so_far, duplication * more};
     }
 };
 
@@ -32,14 +33,17 @@ struct StopRule {
     int bad_refines;         ///< as in SplitOptions; 1: no split that does not pay
     int max_depth;
     SplitSearch search;
+    double max_duplication;  ///< as in SplitOptions; along each path, so that it holds whatever the
+                             ///< order in which nodes are built
 
     /// True if a node is a leaf whatever split there might be. `weight`: of its fragments.
     [[nodiscard]] bool ends_at(const NodeState& node, double weight,
                                const SahCostModel& cost) const noexcept {
         if (weight == 0.0 || weight <= max_leaf || node.depth >= max_depth) return true;
         if (node.box.surface_area() == 0.0) return true;
+        if (search == SplitSearch::first_offer) return false;
         // No split costs less than passing a node.
-        return search == SplitSearch::until_it_pays && cost.leaf_cost(weight) <= cost.traversal;
+        return cost.leaf_cost(weight) <= cost.traversal || node.duplication > max_duplication;
     }
 
     /// The cost below which a rule need not look further.
@@ -55,5 +59,11 @@ struct StopRule {
         return node.bad_refines_so_far < bad_refines;
     }
 };
+
+/// Splits go on as long as they pay.
+[[nodiscard]] inline StopRule until_it_pays(const SplitOptions& split) noexcept {
+    return {0, 1, split.max_depth, SplitSearch::until_it_pays,
+            static_cast<double>(split.max_duplication)};
+}
 
 }  // namespace coppice

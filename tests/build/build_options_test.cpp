@@ -45,6 +45,8 @@ TEST(CheckBuildOptions, NamesWhatIsOutside) {
     EXPECT_EQ(error_of({.split = {.max_leaf = 0}}), "max leaf 0 is outside [1, 2^32)");
     EXPECT_EQ(error_of({.split = {.bad_refines = 0}}), "bad refines 0 is outside [1, 2^31)");
     EXPECT_EQ(error_of({.split = {.bad_refines = -7}}), "bad refines -7 is outside [1, 2^31)");
+    EXPECT_EQ(error_of({.split = {.max_duplication = 0}}),
+              "max duplication 0 is outside [1, 2^32)");
     EXPECT_EQ(error_of({.threads = -1}), "threads -1 is outside [0, 2^31)");
     EXPECT_EQ(error_of({.cost = {.traversal = -1.0}}), "traversal cost -1 is outside [0, inf)");
 }
@@ -64,7 +66,8 @@ TEST(BuildOptions, AreSerializedUnderTheirNames) {
                                          .bad_refines = 2,
                                          .clipping = Clipping::bounding_box,
                                          .counting = Counting::expected,
-                                         .stop = Stop::sah},
+                                         .stop = Stop::sah,
+                                         .max_duplication = 8},
                                .growth = Growth::none,
                                .cost = {.traversal = 15, .intersection = 20, .empty_bonus = 0.2},
                                .wide = {.preset = WidePreset::quality},
@@ -78,7 +81,8 @@ TEST(BuildOptions, AreSerializedUnderTheirNames) {
           {"bad_refines", 2},
           {"clipping", "bounding_box"},
           {"counting", "expected"},
-          {"stop", "sah"}}},
+          {"stop", "sah"},
+          {"max_duplication", 8}}},
         {"growth", "none"},
         {"cost", {{"traversal", 15.0}, {"intersection", 20.0}, {"empty_bonus", 0.2}}},
         {"wide", {{"preset", "quality"}}},
@@ -113,6 +117,7 @@ TEST(BuildOptions, DefaultsAreDocumented) {
     EXPECT_EQ(options.split.clipping, Clipping::perfect);
     EXPECT_EQ(options.split.counting, Counting::sampled);
     EXPECT_EQ(options.split.stop, Stop::limits);
+    EXPECT_EQ(options.split.max_duplication, std::numeric_limits<std::uint32_t>::max());
     EXPECT_EQ(options.growth, Growth::kd);
     EXPECT_EQ(options.wide.preset, WidePreset::automatic);
     EXPECT_EQ(options.threads, 0);

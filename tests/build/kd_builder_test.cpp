@@ -9,7 +9,7 @@
 namespace coppice::test {
 namespace {
 
-constexpr StopRule to_the_end{0, 1, 50, SplitSearch::until_it_pays};
+constexpr StopRule to_the_end{0, 1, 50, SplitSearch::until_it_pays, 1e9};
 
 KdTree tree_of(const TriangleMesh& mesh, const StopRule& stop, int depth = 0,
                const BuildOptions& options = {}) {
@@ -28,7 +28,7 @@ TEST(KdBuilder, OfNothingIsAnEmptyLeaf) {
 TEST(KdBuilder, MakesSoundTreesInOrder) {
     const TriangleMesh mesh = make_soup(300, 0.1F, 1);
     for (const SplitSearch search : {SplitSearch::first_offer, SplitSearch::until_it_pays}) {
-        const KdTree tree = tree_of(mesh, {1, 3, 30, search});
+        const KdTree tree = tree_of(mesh, {1, 3, 30, search, 1e9});
         EXPECT_TRUE(is_sound(tree, mesh.view()));
         EXPECT_TRUE(is_in_order(tree));
     }
@@ -36,10 +36,10 @@ TEST(KdBuilder, MakesSoundTreesInOrder) {
 
 TEST(KdBuilder, CountsDepthFromWhereItStarts) {
     const TriangleMesh mesh = make_soup(300, 0.1F, 1);
-    EXPECT_EQ(depth_of(tree_of(mesh, {0, 1, 7, SplitSearch::until_it_pays}, 0)), 7);
-    EXPECT_EQ(depth_of(tree_of(mesh, {0, 1, 7, SplitSearch::until_it_pays}, 5)), 2);
-    EXPECT_EQ(depth_of(tree_of(mesh, {0, 1, 7, SplitSearch::until_it_pays}, 7)), 0);
-    EXPECT_EQ(depth_of(tree_of(mesh, {0, 1, 7, SplitSearch::until_it_pays}, 50)), 0);
+    EXPECT_EQ(depth_of(tree_of(mesh, {0, 1, 7, SplitSearch::until_it_pays, 1e9}, 0)), 7);
+    EXPECT_EQ(depth_of(tree_of(mesh, {0, 1, 7, SplitSearch::until_it_pays, 1e9}, 5)), 2);
+    EXPECT_EQ(depth_of(tree_of(mesh, {0, 1, 7, SplitSearch::until_it_pays, 1e9}, 7)), 0);
+    EXPECT_EQ(depth_of(tree_of(mesh, {0, 1, 7, SplitSearch::until_it_pays, 1e9}, 50)), 0);
 }
 
 TEST(KdBuilder, LooksOnAllAxesUntilASplitPays) {
@@ -50,8 +50,8 @@ TEST(KdBuilder, LooksOnAllAxesUntilASplitPays) {
                       make_sheet(1, {0, static_cast<float>(i), 0}, {20, 0, 0}, {0, 0, 9}));
     }
     add_triangle(mesh, {Vec3f{0, 0, 0}, Vec3f{19, 0, 0}, Vec3f{0, 1, 0}});  // an offer on x
-    const KdTree first = tree_of(mesh, {1, 1, 50, SplitSearch::first_offer});
-    const KdTree best = tree_of(mesh, {1, 1, 50, SplitSearch::until_it_pays});
+    const KdTree first = tree_of(mesh, {1, 1, 50, SplitSearch::first_offer, 1e9});
+    const KdTree best = tree_of(mesh, {1, 1, 50, SplitSearch::until_it_pays, 1e9});
     EXPECT_EQ(first.nodes().size(), 1U);
     ASSERT_GT(best.nodes().size(), 3U);
     EXPECT_EQ(best.root().axis(), Axis::y);
@@ -67,6 +67,19 @@ TEST(KdBuilder, SplitsSinglePrimitivesOnlyIfThatPays) {
     Subtree built =
         assemble(KdBuilder(view, cheap, to_the_end).build(whole_fragments(view), {large}));
     EXPECT_EQ(built.nodes.size(), 13U) << "six cuts";
+}
+
+TEST(KdBuilder, KeepsToItsLimitOfDuplication) {
+    const TriangleMesh mesh = make_soup(300, 1.0F, 3);
+    const auto reference_count = [&](double max_duplication) {
+        const StopRule stop{0, 1, 50, SplitSearch::until_it_pays, max_duplication};
+        const KdTree tree = tree_of(mesh, stop, 0, {.cost = {.traversal = 0.1}});
+        EXPECT_TRUE(is_sound(tree, mesh.view()));
+        return static_cast<double>(tree.references().size());
+    };
+    EXPECT_GT(reference_count(1e9), 4.0 * 300.0);
+    EXPECT_LE(reference_count(2.0), 4.0 * 300.0) << "twice, and the last split of each path";
+    EXPECT_LT(reference_count(2.0), reference_count(4.0));
 }
 
 }  // namespace

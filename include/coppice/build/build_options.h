@@ -6,6 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 namespace coppice {
@@ -38,6 +39,10 @@ struct SplitOptions {
     Clipping clipping = Clipping::perfect;
     Counting counting = Counting::sampled;
     Stop stop = Stop::limits;
+    std::uint32_t max_duplication =
+        std::numeric_limits<std::uint32_t>::max();  ///< where splits go on as long as they pay
+                                                    ///< (stop, growth), references that a primitive
+                                                    ///< may become, on average along a path; >= 1
 };
 
 /// How the refilled leaves go on.

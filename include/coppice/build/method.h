@@ -16,7 +16,7 @@ struct Method {
     std::string_view name;
     std::string_view summary;
     TreeKind tree;
-    BuildOptions (*options)();  ///< what the name stands for; costs and threads are the defaults
+    BuildOptions (*options)();  ///< what the name stands for, with the costs it was tuned for
 };
 
 /// All methods, k-d trees first.

@@ -51,15 +51,20 @@ TreePart ExactBuilder::build_node(ExactNode node, NodeState state) const {
     MeteredBytes below_bytes(division_.meter, children.below.capacity_bytes());
     MeteredBytes above_bytes(division_.meter, children.above.capacity_bytes());
     bytes.release();
+    const double more =
+        static_cast<double>(children.below.fragments.size() + children.above.fragments.size()) /
+        static_cast<double>(count);
     return build_both(
         plane, split->planar_side, count,
         [&] {
             below_bytes.release();  // the child counts its own
-            return build_node(std::move(children.below), state.child(below(state.box, plane)));
+            return build_node(std::move(children.below),
+                              state.child(below(state.box, plane), more));
         },
         [&] {
             above_bytes.release();
-            return build_node(std::move(children.above), state.child(above(state.box, plane)));
+            return build_node(std::move(children.above),
+                              state.child(above(state.box, plane), more));
         });
 }
 
