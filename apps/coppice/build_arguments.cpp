@@ -2,7 +2,6 @@
 
 #include "coppice/sample/sampler.h"
 
-#include "lab/named.h"
 #include "options.h"
 
 #include <limits>
@@ -24,7 +23,7 @@ void add_costs(CLI::App& parser, SahCostModel& cost) {
 CLI::Option* add_sampler(CLI::App& parser, std::string& sampler) {
     return add_name(parser,
                     {"--sampler", "NAME",
-                     "How the sample is drawn: " + lab::names_of(sampler_registry()), "uniform"},
+                     listing("How the sample is drawn", names_in(sampler_registry())), "uniform"},
                     sampler, names_in(sampler_registry()));
 }
 

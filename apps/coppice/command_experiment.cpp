@@ -67,8 +67,8 @@ void add_what_to_run(CLI::App& parser, Request& request) {
 
 void add_how_to_build(CLI::App& parser, BuildOptions& build) {
     add_name(parser,
-             {"--split", "RULE", "Where nodes are split: " + lab::names_of(split_finder_registry()),
-              "sah"},
+             {"--split", "RULE",
+              listing("Where nodes are split", names_in(split_finder_registry())), "sah"},
              build.split.rule, names_in(split_finder_registry()));
     add_sampler(parser, build.sample.sampler);
     add_costs(parser, build.cost);

@@ -2,34 +2,39 @@
 // pieces from all over it, and a quarter of that again, by the very builder in question, so that
 // nothing about any builder need be known here. Counts and bytes grow with the share probed.
 // Seconds grow a little faster, as n (a + b log2 n): the two sizes give b. The smaller probe is
-// built twice, since the first build of a process is slower than all others.
-// Cost: about a tenth of the build. Error: what the pieces differ from the rest of the scene, and
-// for the seconds the noise of the machine.
+// built twice, since the first build of a process is slower than all others; but the build to come
+// touches its memory for the first time, and what that takes is measured on an eighth of it.
+// Cost: about a tenth of the build of a k-d tree, half of that of a wide tree. Error: what the
+// pieces differ from the rest of the scene, and for the seconds the noise of the machine.
 
 #include "coppice/build/estimate.h"
 
+#include "coppice/base/big_buffer.h"
 #include "coppice/base/parallel.h"
+#include "coppice/base/timer.h"
 #include "coppice/build/build_tree.h"
 
 #include "build/probe.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace coppice {
 namespace {
 
-constexpr std::uint32_t piece_count = 512;
-constexpr std::uint32_t one_in = 16;     // of them is probed
-constexpr std::uint32_t thinned_to = 4;  // one in so many of these
+constexpr std::uint32_t most_pieces = 1024;
+constexpr std::uint32_t piece_size = 1024;  // or more, in large scenes: smaller ones are all border
+constexpr std::uint32_t one_in = 16;        // of them is probed
+constexpr std::uint32_t thinned_to = 4;     // one in so many of these
 
 // A scene of fewer primitives is probed as a whole: it would leave too little to judge by.
 constexpr std::uint32_t least_primitives = 16384;
 
 struct ProbeBuild {
-    double size;
+    double size;  // in primitives of the whole scene: its share of them
     BuildReport report;
 
     [[nodiscard]] double seconds() const noexcept { return report.stages.wall_seconds(); }
@@ -46,12 +51,31 @@ double extrapolated_seconds(const ProbeBuild& smaller, const ProbeBuild& larger,
     return at_larger + std::clamp(slope, 0.0, steepest) * std::log2(scale);
 }
 
+// Seconds a byte, the first time that memory is touched.
+double touch_seconds(double byte_count) {
+    constexpr std::size_t page_bytes = 4096;
+    constexpr std::size_t most_bytes = std::size_t{64} << 20;
+    const auto touched = std::clamp(static_cast<std::size_t>(byte_count), page_bytes, most_bytes);
+    const BigBuffer memory(touched);
+    const std::span<std::byte> bytes = memory.view<std::byte>(0, touched);
+    const Timer timer;
+    for (std::size_t at = 0; at < touched; at += page_bytes)
+        static_cast<volatile std::byte&>(bytes[at]) = std::byte{1};
+    return timer.seconds() / static_cast<double>(touched);
+}
+
+int thread_count(const BuildOptions& options) {
+    const int available = hardware_thread_count();
+    return options.threads > 0 ? std::min(options.threads, available) : available;
+}
+
 Estimate extrapolated(const ProbeBuild& smaller, const ProbeBuild& larger, double scale) {
     const BuildReport& report = larger.report;
+    const double peak_bytes = scale * static_cast<double>(report.peak_bytes);
     return {scale * static_cast<double>(report.statistics.reference_count),
-            scale * static_cast<double>(report.tree_bytes),
-            scale * static_cast<double>(report.peak_bytes),
-            scale * larger.size * extrapolated_seconds(smaller, larger, scale)};
+            scale * static_cast<double>(report.tree_bytes), peak_bytes,
+            scale * larger.size * extrapolated_seconds(smaller, larger, scale) +
+                peak_bytes * touch_seconds(0.125 * peak_bytes) / thread_count(report.options)};
 }
 
 // An estimate from probes of a scene, by `build(probe)`, which returns a ProbeBuild.
@@ -61,22 +85,27 @@ Estimate estimate_by(PrimitiveSetView primitives, const BuildOptions& options, B
     const bool is_small = primitives.size() < least_primitives;
     std::optional<Probe> probe;
     run_with_threads(options.threads, [&] {
-        probe =
-            is_small ? take_probe(primitives, 1, 1) : take_probe(primitives, piece_count, one_in);
+        probe = is_small
+                    ? take_probe(primitives, 1, 1)
+                    : take_probe(primitives, std::min(most_pieces, primitives.size() / piece_size),
+                                 one_in);
     });
     const Probe thinned = probe->thinned(thinned_to);
     static_cast<void>(build(thinned));
     const ProbeBuild smaller = build(thinned);
     const ProbeBuild larger = build(*probe);
-    const double share = static_cast<double>(std::max<std::uint64_t>(1, probe->centered_count()));
-    return extrapolated(smaller, larger, std::max(1.0, primitives.size() / share));
+    return extrapolated(smaller, larger,
+                        std::max(1.0, primitives.size() / std::max(1.0, larger.size)));
 }
 
 }  // namespace
 
 Estimate estimate_kd_tree(PrimitiveSetView primitives, const BuildOptions& options) {
     return estimate_by(primitives, options, [&](const Probe& probe) {
-        ProbeBuild build{static_cast<double>(probe.size()), {}};
+        // Of the cuts at the pieces' borders the tree would make some anyhow, and others not: what
+        // is in a piece by such a cut counts half.
+        const std::uint64_t sum = probe.size() + probe.centers().size();
+        ProbeBuild build{0.5 * static_cast<double>(sum), {}};
         static_cast<void>(build_kd_tree(probe, options, &build.report));
         return build;
     });
@@ -86,8 +115,8 @@ Estimate estimate_wide_bvh(TriangleMeshView mesh, const BuildOptions& options) {
     return estimate_by(mesh, options, [&](const Probe& probe) {
         // Whole triangles: object splits do not cut them.
         std::vector<TriangleIndices> triangles;
-        for (const std::uint32_t id : probe.centered_ids())
-            triangles.push_back(mesh.triangles()[id]);
+        for (const ProbeCenter& center : probe.centers())
+            triangles.push_back(mesh.triangles()[center.id]);
         ProbeBuild build{static_cast<double>(triangles.size()), {}};
         static_cast<void>(build_wide_bvh({mesh.vertices(), triangles}, options, &build.report));
         return build;

@@ -1,4 +1,4 @@
-// A scene is divided into pieces by a k-d tree over a sample of 32 primitives a piece; every n-th
+// A scene is divided into pieces by a k-d tree over a sample of 16 primitives a piece; every n-th
 // leaf, in depth-first order, is a piece of the probe: close leaves are alike, so taking them
 // at even distances covers the scene. All primitives then walk down to the pieces that they touch,
 // where they are clipped. Cost: one walk of a few steps a primitive, in parallel.
@@ -12,13 +12,14 @@
 #include "build/partition.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 
 namespace coppice {
 namespace {
 
-constexpr std::uint32_t sampled_per_piece = 32;
+constexpr std::uint32_t sampled_per_piece = 16;
 constexpr std::uint32_t no_piece = std::numeric_limits<std::uint32_t>::max();
 
 KdTree divide(PrimitiveSetView primitives, std::uint32_t piece_count) {
@@ -48,19 +49,20 @@ public:
 
     [[nodiscard]] Probe probe() && {
         constexpr std::size_t chunk_size = 16384;
-        std::vector<std::vector<ProbePart>> chunks(primitives_.size() / chunk_size + 1);
+        std::vector<Found> chunks(primitives_.size() / chunk_size + 1);
         parallel_for_chunks(primitives_.size(), chunk_size,
                             [&](std::size_t begin, std::size_t end) {
                                 for (auto id = static_cast<std::uint32_t>(begin); id < end; ++id) {
                                     const Aabb box = primitives_.bounds(id);
-                                    descend(0, id, box, middle_of(box), chunks[begin / chunk_size]);
+                                    find(0, {id, box, middle_of(box)}, chunks[begin / chunk_size]);
                                 }
                             });
-        std::vector<ProbePart> parts;
-        for (const std::vector<ProbePart>& chunk : chunks) {
-            parts.insert(parts.end(), chunk.begin(), chunk.end());
+        Found all;
+        for (const Found& chunk : chunks) {
+            all.parts.insert(all.parts.end(), chunk.parts.begin(), chunk.parts.end());
+            all.centers.insert(all.centers.end(), chunk.centers.begin(), chunk.centers.end());
         }
-        return {primitives_, std::move(pieces_), std::move(parts)};
+        return {primitives_, std::move(pieces_), std::move(all.parts), std::move(all.centers)};
     }
 
 private:
@@ -81,26 +83,44 @@ private:
         return is_probed_[index];
     }
 
-    // Adds the parts of a primitive in the pieces below a node. A middle in a plane is above it.
-    void descend(std::uint32_t index, std::uint32_t id, const Aabb& box, Vec3f middle,
-                 std::vector<ProbePart>& parts, bool has_middle = true) const {
+    struct Found {
+        std::vector<ProbePart> parts;
+        std::vector<ProbeCenter> centers;
+    };
+
+    struct Query {
+        std::uint32_t id;
+        Aabb box;
+        Vec3f middle;
+        bool has_middle = true;  // in the node; a middle in a plane is above it
+    };
+
+    // Adds what the pieces below a node have of a primitive.
+    void find(std::uint32_t index, Query query, Found& found) const {
         if (!is_probed_[index]) return;
         const KdNode& node = tree_.nodes()[index];
         if (node.is_leaf()) {
-            const std::uint32_t piece = piece_of_[index];
-            const Aabb part = primitives_.clipped_bounds(id, pieces_[piece]);
-            if (!part.is_empty()) parts.push_back({id, part, piece, has_middle});
+            find_in_piece(piece_of_[index], query, found);
             return;
         }
         const Plane plane = node.plane();
-        const PlaneRelation relation = relation_to(box, plane);
-        const bool is_middle_below = middle[plane.axis] < plane.position;
+        const PlaneRelation relation = relation_to(query.box, plane);
+        const bool has_middle = query.has_middle;
+        const bool is_middle_below = query.middle[plane.axis] < plane.position;
         if (relation == PlaneRelation::below || relation == PlaneRelation::across) {
-            descend(node.lower_child(), id, box, middle, parts, has_middle && is_middle_below);
+            query.has_middle = has_middle && is_middle_below;
+            find(node.lower_child(), query, found);
         }
         if (relation != PlaneRelation::below) {
-            descend(node.upper_child(), id, box, middle, parts, has_middle && !is_middle_below);
+            query.has_middle = has_middle && !is_middle_below;
+            find(node.upper_child(), query, found);
         }
+    }
+
+    void find_in_piece(std::uint32_t piece, const Query& query, Found& found) const {
+        if (query.has_middle) found.centers.push_back({query.id, piece});
+        const Aabb part = primitives_.clipped_bounds(query.id, pieces_[piece]);
+        if (!part.is_empty()) found.parts.push_back({query.id, part, piece});
     }
 
     PrimitiveSetView primitives_;
@@ -112,24 +132,13 @@ private:
 
 }  // namespace
 
-std::uint64_t Probe::centered_count() const noexcept {
-    return static_cast<std::uint64_t>(std::count_if(
-        parts_.begin(), parts_.end(), [](const ProbePart& part) { return part.is_centered; }));
-}
-
-std::vector<std::uint32_t> Probe::centered_ids() const {
-    std::vector<std::uint32_t> ids;
-    for (const ProbePart& part : parts_) {
-        if (part.is_centered) ids.push_back(part.id);
-    }
-    return ids;
-}
-
 Probe Probe::thinned(std::uint32_t n) const {
+    const auto is_kept = [n](const auto& part) { return part.piece % n == 0; };
     std::vector<ProbePart> parts;
-    std::copy_if(parts_.begin(), parts_.end(), std::back_inserter(parts),
-                 [n](const ProbePart& part) { return part.piece % n == 0; });
-    return {primitives_, pieces_, std::move(parts)};
+    std::copy_if(parts_.begin(), parts_.end(), std::back_inserter(parts), is_kept);
+    std::vector<ProbeCenter> centers;
+    std::copy_if(centers_.begin(), centers_.end(), std::back_inserter(centers), is_kept);
+    return {primitives_, pieces_, std::move(parts), std::move(centers)};
 }
 
 Probe take_probe(PrimitiveSetView primitives, std::uint32_t piece_count, std::uint32_t n) {

@@ -6,6 +6,7 @@
 #include "coppice/tree/kd_tree.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace coppice {
@@ -15,15 +16,24 @@ struct ProbePart {
     std::uint32_t id;
     Aabb box;  ///< of the part
     std::uint32_t piece;
-    bool is_centered;  ///< whether the primitive's box has its middle in the piece
+};
+
+/// A primitive whose box has its middle in one of the pieces, whether or not it touches the piece.
+struct ProbeCenter {
+    std::uint32_t id;
+    std::uint32_t piece;
 };
 
 /// Pieces of a scene: the parts of all primitives within some boxes, as a set of primitives of its
 /// own. Satisfies PrimitiveSet. What it is a probe of must outlive it.
 class Probe {
 public:
-    Probe(PrimitiveSetView primitives, std::vector<Aabb> pieces, std::vector<ProbePart> parts)
-        : primitives_(primitives), pieces_(std::move(pieces)), parts_(std::move(parts)) {}
+    Probe(PrimitiveSetView primitives, std::vector<Aabb> pieces, std::vector<ProbePart> parts,
+          std::vector<ProbeCenter> centers)
+        : primitives_(primitives),
+          pieces_(std::move(pieces)),
+          parts_(std::move(parts)),
+          centers_(std::move(centers)) {}
 
     [[nodiscard]] std::uint32_t size() const noexcept {
         return static_cast<std::uint32_t>(parts_.size());
@@ -37,12 +47,10 @@ public:
         return inside.is_empty() ? Aabb{} : primitives_.clipped_bounds(part.id, inside);
     }
 
-    /// How many primitives have their middle in one of the pieces. Every primitive has it in one
-    /// piece of the whole scene, so this over their number is the share of the scene probed.
-    [[nodiscard]] std::uint64_t centered_count() const noexcept;
-
-    /// Their ids, ascending.
-    [[nodiscard]] std::vector<std::uint32_t> centered_ids() const;
+    /// The primitives that have their middle in one of the pieces, by ascending ids. Every
+    /// primitive has it in one piece of the whole scene, so their number over that of all is the
+    /// share of the scene probed.
+    [[nodiscard]] std::span<const ProbeCenter> centers() const noexcept { return centers_; }
 
     /// The probe of every n-th piece of this one.
     [[nodiscard]] Probe thinned(std::uint32_t n) const;
@@ -51,6 +59,7 @@ private:
     PrimitiveSetView primitives_;
     std::vector<Aabb> pieces_;
     std::vector<ProbePart> parts_;
+    std::vector<ProbeCenter> centers_;
 };
 
 /// Divides a scene into about `piece_count` pieces (one for 1) and takes one in `n` of them, evenly

@@ -13,7 +13,7 @@ TEST(Probe, OfEveryPieceHasEveryPrimitiveOnce) {
     const TriangleMesh mesh = make_soup(20000, 0.05F, 1);
     const TriangleMeshView view = mesh.view();
     const Probe probe = take_probe(view, 512, 1);
-    EXPECT_EQ(probe.centered_count(), 20000U);
+    EXPECT_EQ(probe.centers().size(), 20000U);
     EXPECT_GT(probe.size(), 20000U) << "triangles across a border are in several pieces";
 }
 
@@ -22,7 +22,7 @@ TEST(Probe, TakesItsShareOfTheScene) {
     const TriangleMeshView view = mesh.view();
     const Probe probe = take_probe(view, 512, 16);
     const double share =
-        static_cast<double>(probe.centered_count()) / static_cast<double>(mesh.triangles.size());
+        static_cast<double>(probe.centers().size()) / static_cast<double>(mesh.triangles.size());
     EXPECT_NEAR(share, 1.0 / 16.0, 0.02);
     const Probe thinned = probe.thinned(4);
     EXPECT_NEAR(static_cast<double>(thinned.size()) / probe.size(), 0.25, 0.1);

@@ -8,7 +8,8 @@
 namespace coppice {
 
 /// What build_kd_tree() is expected to come to with these primitives and options: from building a
-/// sixteenth of the scene, in pieces from all over it. Takes about a tenth of the build's time. All
+/// sixteenth of the scene, in pieces from all over it. Takes about a tenth of the build's time. The
+/// seconds are for memory that the process has not touched yet. All
 /// but the seconds depends on primitives and options alone; the seconds are of this machine, now.
 /// Throws like build_kd_tree().
 [[nodiscard]] Estimate estimate_kd_tree(PrimitiveSetView primitives, const BuildOptions& options);

@@ -47,13 +47,13 @@ TreePart ExactBuilder::build_node(ExactNode node, NodeState state) const {
             classify(node, plane, split->planar_side, division_, sides);
         children = splice(std::move(node), classification, std::move(sides));
     }
-    const double more =
-        static_cast<double>(children.below.fragments.size() + children.above.fragments.size()) /
-        static_cast<double>(count);
     // While the children's arrays were made, the node's were there too.
     MeteredBytes below_bytes(division_.meter, children.below.capacity_bytes());
     MeteredBytes above_bytes(division_.meter, children.above.capacity_bytes());
     bytes.release();
+    const double more =
+        static_cast<double>(children.below.fragments.size() + children.above.fragments.size()) /
+        static_cast<double>(count);
     return build_both(
         plane, split->planar_side, count,
         [&] {
