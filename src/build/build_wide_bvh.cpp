@@ -36,8 +36,8 @@ struct Plan {
     double least_rate;  // of the sample
 };
 
-// Rays a triangle that make up for a longer build: extra build time a triangle over what a ray gains
-// by it (docs/decisions/0005).
+// Rays a triangle that make up for a longer build: extra build time a triangle over what a ray
+// gains by it (docs/decisions/0005).
 constexpr double balanced_from = 20.0;
 constexpr double quality_from = 100.0;
 
@@ -59,7 +59,7 @@ Plan make_plan(const WideOptions& options, std::size_t triangle_count) {
             plan = {true, 32768, 0.0};
             break;
         case WidePreset::quality:
-            plan = {true, 512, 0.1};
+            plan = {true, 16384, 0.1};
             break;
     }
     if (options.cell_size != 0) plan.cell_size = options.cell_size;
@@ -82,10 +82,9 @@ wide::Top build_top(std::span<const Reference> references, const Sample& sample,
     std::vector<Reference> sampled(sample.ids.size());
     for (std::size_t at = 0; at < sampled.size(); ++at) {
         sampled[at] = references[sample.ids[at]];
-        sampled[at].weight = sample.weights.empty()
-                                 ? static_cast<float>(references.size()) /
-                                       static_cast<float>(sample.ids.size())
-                                 : sample.weights[at];
+        sampled[at].weight = sample.weights.empty() ? static_cast<float>(references.size()) /
+                                                          static_cast<float>(sample.ids.size())
+                                                    : sample.weights[at];
     }
     return wide::build_object_top(sampled, static_cast<float>(cell_size), kernels);
 }

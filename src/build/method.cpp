@@ -12,7 +12,7 @@ namespace coppice {
 namespace {
 
 // Planes that cut off empty space earn a little more than the heuristic gives them: with less or
-// more of it, trees of all scenes cost more (docs/decisions/0004).
+// more of it, the trees cost more (docs/decisions/0004).
 constexpr SahCostModel cost{.empty_bonus = 0.2};
 
 // How far splitting goes on while it pays. The last bit of it gains a fraction of a percent and

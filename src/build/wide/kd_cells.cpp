@@ -1,6 +1,6 @@
-// Cells by planes: a k-d tree over the sample, refilled with all triangles, is the top, and its leaves
-// are the cells. A triangle that a plane cuts is in both cells with the part of its box that it has
-// there, so that cells do not overlap: nearly what spatial splits give, for a pass over the
+// Cells by planes: a k-d tree over the sample, refilled with all triangles, is the top, and its
+// leaves are the cells. A triangle that a plane cuts is in both cells with the part of its box that
+// it has there, so that cells do not overlap: nearly what spatial splits give, for a pass over the
 // triangles. Cost: the refill, and one clipped box a reference.
 // Source: [Stich2009] (references cut by planes above an object hierarchy).
 
