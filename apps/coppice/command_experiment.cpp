@@ -98,9 +98,7 @@ void add_name(CLI::App& parser, const OptionText& text, std::string& value,
 
 void add_how_to_build(CLI::App& parser, BuildOptions& build) {
     constexpr double infinity = std::numeric_limits<double>::max();
-    add_name(parser,
-             {"--split", "RULE", "Where nodes are split: " + lab::names_of(split_finder_registry()),
-              "sah"},
+    add_name(parser, {"--split", "RULE", "Where nodes are split: a rule of `coppice list`", "sah"},
              build.split.rule, names_in(split_finder_registry()));
     add_name(parser,
              {"--sampler", "NAME", "How the sample is drawn: " + lab::names_of(sampler_registry()),

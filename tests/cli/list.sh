@@ -15,7 +15,7 @@ for key, entries in json.load(sys.stdin).items():
     print(key, *(entry["name"] for entry in entries if entry["summary"]))
 ' <<<"$stdout")" 'primitives points triangles
 protocols fixed scaled grown
-splits sah median midpoint
+splits sah median midpoint exact binned subsampled adaptive
 samplers uniform
 procedural_scenes terrain spheres soup city'
 

@@ -74,7 +74,7 @@ wrong "^coppice: --primitives: unknown name 'lines'; there are: points, triangle
     experiment x.obj --primitives points,lines
 wrong "--protocols: unknown name 'grwon' \(did you mean 'grown'\?\); there are: fixed, scaled, grown$" \
     experiment x.obj --protocols grwon
-wrong "--split: unknown name 'sha' \(did you mean 'sah'\?\); there are: sah, median, midpoint$" \
+wrong "--split: unknown name 'sha' \(did you mean 'sah'\?\); there are: sah, median, midpoint, exact, binned, subsampled, adaptive$" \
     experiment x.obj --split sha
 wrong "--sampler: unknown name 'best'; there are: uniform" experiment x.obj --sampler best
 wrong "KIND: unknown name 'teapot'; there are: terrain, spheres, soup, city$" \
