@@ -15,6 +15,7 @@
 #include "coppice/build/build_tree.h"
 
 #include "build/probe.h"
+#include "build/wide/plan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -118,7 +119,9 @@ Estimate estimate_wide_bvh(TriangleMeshView mesh, const BuildOptions& options) {
         for (const ProbeCenter& center : probe.centers())
             triangles.push_back(mesh.triangles()[center.id]);
         ProbeBuild build{static_cast<double>(triangles.size()), {}};
-        static_cast<void>(build_wide_bvh({mesh.vertices(), triangles}, options, &build.report));
+        const BuildOptions probing =
+            wide::scaled_down(options, mesh.size(), build.size / mesh.size());
+        static_cast<void>(build_wide_bvh({mesh.vertices(), triangles}, probing, &build.report));
         return build;
     });
 }

@@ -3,11 +3,11 @@
 using Lanes = __m256;
 
 inline Lanes load(const float* from) noexcept {
-    return _mm256_load_ps(from);
+    return _mm256_loadu_ps(from);
 }
 
 inline void store(Lanes lanes, float* to) noexcept {
-    _mm256_store_ps(to, lanes);
+    _mm256_storeu_ps(to, lanes);
 }
 
 inline Lanes max(Lanes a, Lanes b) noexcept {

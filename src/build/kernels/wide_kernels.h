@@ -33,7 +33,7 @@ struct BinMapping {
 }
 
 /// The boxes and summed weights of the references in each bin.
-struct Bins {
+struct alignas(32) Bins {
     std::array<std::array<Box8, max_bin_count>, 3> box;
     std::array<std::array<float, max_bin_count>, 3> weight;
 };

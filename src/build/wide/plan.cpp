@@ -1,0 +1,58 @@
+#include "build/wide/plan.h"
+
+#include <algorithm>
+
+namespace coppice::wide {
+namespace {
+
+// Rays a triangle that make up for a longer build: the extra time for a triangle over what a ray
+// gains by it (docs/decisions/0005).
+constexpr double balanced_from = 20.0;
+constexpr double quality_from = 100.0;
+
+WidePreset choose_preset(const WideOptions& options, std::uint32_t triangle_count) {
+    if (options.preset != WidePreset::automatic) return options.preset;
+    const double rays_a_triangle = options.expected_rays / std::max(1U, triangle_count);
+    if (rays_a_triangle >= quality_from) return WidePreset::quality;
+    return rays_a_triangle >= balanced_from ? WidePreset::balanced : WidePreset::fast;
+}
+
+}  // namespace
+
+Plan make_plan(const BuildOptions& options, std::uint32_t triangle_count) {
+    Plan plan{false, 4096, options.sample};
+    const bool is_automatic = options.wide.preset == WidePreset::automatic;
+    if (is_automatic && plan.sampling.rate == 1.0) {
+        plan.sampling.rate = 0.01;
+        plan.sampling.sampler = "weighted";
+    }
+    switch (choose_preset(options.wide, triangle_count)) {
+        case WidePreset::automatic:
+        case WidePreset::fast:
+            break;
+        case WidePreset::balanced:
+            plan.by_planes = true;
+            plan.cell_size = 32768;
+            break;
+        case WidePreset::quality:
+            plan.by_planes = true;
+            plan.cell_size = 16384;
+            plan.sampling.rate = std::max(plan.sampling.rate, 0.1);
+            break;
+    }
+    if (options.wide.cell_size != 0) plan.cell_size = options.wide.cell_size;
+    if (triangle_count < options.wide.sampled_from) plan.sampling.rate = 1.0;
+    return plan;
+}
+
+BuildOptions scaled_down(const BuildOptions& options, std::uint32_t triangle_count, double share) {
+    const Plan plan = make_plan(options, triangle_count);
+    BuildOptions scaled = options;
+    scaled.sample = plan.sampling;
+    scaled.wide.preset = choose_preset(options.wide, triangle_count);
+    scaled.wide.sampled_from = 0;
+    scaled.wide.cell_size = std::max(64U, static_cast<std::uint32_t>(share * plan.cell_size));
+    return scaled;
+}
+
+}  // namespace coppice::wide
