@@ -95,7 +95,8 @@ WideBvh run_pipeline(TriangleMeshView mesh, const BuildOptions& options, BuildRe
     wide::measure_cells(cells, run.kernels);
     wide::GrownTree grown = wide::grow_wide(cells, run.kernels);
     const MeteredBytes part_bytes(&run.meter, byte_count(grown.root));
-    WideBvh tree = wide::assemble(std::move(grown), std::move(cells.arena), mesh, run.meter);
+    WideBvh tree =
+        wide::assemble(std::move(grown), std::move(cells.arena), mesh, run.kernels, run.meter);
     report.stages.refine = run.clock.lap(tree.blocks().size());
     report.peak_bytes = run.meter.peak_bytes();
     return tree;

@@ -60,8 +60,9 @@ double touch_seconds(double byte_count) {
     const BigBuffer memory(touched);
     const std::span<std::byte> bytes = memory.view<std::byte>(0, touched);
     const Timer timer;
-    for (std::size_t at = 0; at < touched; at += page_bytes)
+    for (std::size_t at = 0; at < touched; at += page_bytes) {
         static_cast<volatile std::byte&>(bytes[at]) = std::byte{1};
+    }
     return timer.seconds() / static_cast<double>(touched);
 }
 
@@ -116,8 +117,9 @@ Estimate estimate_wide_bvh(TriangleMeshView mesh, const BuildOptions& options) {
     return estimate_by(mesh, options, [&](const Probe& probe) {
         // Whole triangles: object splits do not cut them.
         std::vector<TriangleIndices> triangles;
-        for (const ProbeCenter& center : probe.centers())
+        for (const ProbeCenter& center : probe.centers()) {
             triangles.push_back(mesh.triangles()[center.id]);
+        }
         ProbeBuild build{static_cast<double>(triangles.size()), {}};
         const BuildOptions probing =
             wide::scaled_down(options, mesh.size(), build.size / mesh.size());

@@ -25,8 +25,9 @@ void require_finite_boxes(PrimitiveSetView primitives) {
     std::atomic<std::uint32_t> first_bad = primitives.size();
     parallel_for_chunks(primitives.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
         auto id = static_cast<std::uint32_t>(begin);
-        while (id < end && is_finite(primitives.bounds(id)))
+        while (id < end && is_finite(primitives.bounds(id))) {
             ++id;
+        }
         std::uint32_t first = first_bad;
         while (id < end && id < first && !first_bad.compare_exchange_weak(first, id)) {
         }

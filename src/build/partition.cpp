@@ -38,8 +38,9 @@ void divide_across(const Fragment& fragment, Plane plane, const Division& divisi
 std::vector<Fragment> joined(std::span<Partition> chunks, std::vector<Fragment> Partition::*side) {
     std::vector<std::size_t> ends;
     std::size_t count = 0;
-    for (const Partition& chunk : chunks)
+    for (const Partition& chunk : chunks) {
         ends.push_back(count += (chunk.*side).size());
+    }
     std::vector<Fragment> all(count);
     parallel_for_chunks(chunks.size(), 1, [&](std::size_t i, std::size_t) {
         std::vector<Fragment>& part = chunks[i].*side;
@@ -97,8 +98,9 @@ Partition partition(std::span<const Fragment> fragments, Plane plane, PlanarSide
     Partition sides;
     sides.below = joined(chunks, &Partition::below);
     sides.below_bytes = {division.meter, sides.below};
-    for (Partition& chunk : chunks)
+    for (Partition& chunk : chunks) {
         chunk.below_bytes.release();
+    }
     sides.above = joined(chunks, &Partition::above);
     sides.above_bytes = {division.meter, sides.above};
     return sides;
@@ -118,8 +120,9 @@ std::vector<Fragment> whole_fragments(PrimitiveSetView primitives) {
 
 Aabb bounds_of_all(PrimitiveSetView primitives) {
     Aabb box;
-    for (std::uint32_t id = 0; id < primitives.size(); ++id)
+    for (std::uint32_t id = 0; id < primitives.size(); ++id) {
         box.grow(primitives.bounds(id));
+    }
     return box;
 }
 

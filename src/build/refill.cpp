@@ -59,8 +59,9 @@ private:
                         fmt::format("a leaf would have {} references; at most {} are possible",
                                     fragments.size(), KdNode::max_payload));
         }
-        for (const Fragment& fragment : fragments)
+        for (const Fragment& fragment : fragments) {
             references.push_back(fragment.id);
+        }
         nodes_[index] = KdNode::make_leaf(0, static_cast<std::uint32_t>(fragments.size()),
                                           nodes_[index].in_sample());
     }

@@ -23,8 +23,9 @@ void make_leaf(Subtree& tree, std::uint32_t slot, std::span<const Fragment> frag
     const auto first = static_cast<std::uint32_t>(tree.references.size());
     require_at_most(fragments.size(), KdNode::max_payload, "references in a leaf");
     require_at_most(first + fragments.size(), max_reference_count, "references");
-    for (const Fragment& fragment : fragments)
+    for (const Fragment& fragment : fragments) {
         tree.references.push_back(fragment.id);
+    }
     tree.nodes[slot] = KdNode::make_leaf(first, static_cast<std::uint32_t>(fragments.size()));
 }
 

@@ -82,8 +82,9 @@ private:
         std::uint64_t count = 0;
         for (const TriangleBlock& block :
              tree_.blocks().subspan(leaf.first_block(), leaf.block_count())) {
-            for (const std::uint32_t id : block.id)
+            for (const std::uint32_t id : block.id) {
                 count += id != TriangleBlock::no_triangle ? 1U : 0U;
+            }
         }
         const auto blocks = static_cast<double>(leaf.block_count());
         sum_.add_leaf(depth, probability, count, blocks, model_.leaf_cost(blocks));

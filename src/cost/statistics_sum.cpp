@@ -30,8 +30,9 @@ TreeStatistics StatisticsSum::finish() && {
         statistics_.mean_leaf_size = static_cast<double>(statistics_.reference_count) /
                                      static_cast<double>(statistics_.leaf_count);
     }
-    for (const double cost : statistics_.cost_share_by_depth)
+    for (const double cost : statistics_.cost_share_by_depth) {
         statistics_.sah_cost += cost;
+    }
     for (double& share : statistics_.cost_share_by_depth) {
         share = statistics_.sah_cost > 0.0 ? share / statistics_.sah_cost : 0.0;
     }

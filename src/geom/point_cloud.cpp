@@ -28,8 +28,9 @@ void shuffle(std::vector<Vec3f>& points, std::uint64_t seed) {
 std::vector<Vec3f> shuffled_distinct_points(std::span<const Vec3f> points, std::uint64_t seed) {
     std::vector<Vec3f> distinct(points.begin(), points.end());
     // Which zero of +0 and -0 survives must not depend on the sort.
-    for (Vec3f& point : distinct)
+    for (Vec3f& point : distinct) {
         point = point + Vec3f{};
+    }
     remove_duplicates(distinct);
     shuffle(distinct, seed);
     return distinct;

@@ -44,8 +44,9 @@ void clip(const Polygon& polygon, double position, Polygon& inside) noexcept {
         if (crosses && inside.count < inside.corners.size()) {
             const double s = from_depth / (from_depth - to_depth);
             Corner& crossing = inside.corners[inside.count++];
-            for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t i = 0; i < 3; ++i) {
                 crossing[i] = (*from)[i] + s * (to[i] - (*from)[i]);
+            }
             crossing[axis] = position;
         }
         if (from == last) return;
@@ -113,8 +114,9 @@ Aabb rounded_bounds(const Polygon& polygon, const Vec3d& error, const Aabb& limi
 class Clipper {
 public:
     explicit Clipper(const Triangle& triangle) noexcept {
-        for (const Vec3f& corner : triangle)
+        for (const Vec3f& corner : triangle) {
             polygon_->corners[polygon_->count++] = corner_at(corner);
+        }
     }
 
     template <std::size_t index>
@@ -142,8 +144,9 @@ private:
 
 Aabb triangle_bounds(const Triangle& triangle) noexcept {
     Aabb box;
-    for (const Vec3f& corner : triangle)
+    for (const Vec3f& corner : triangle) {
         box.grow(corner);
+    }
     return box;
 }
 

@@ -97,8 +97,9 @@ void for_boxes(PrimitiveSetView primitives, std::size_t begin, std::size_t end, 
     for (std::size_t first = begin; first < end; first += boxes.size()) {
         const std::size_t count = std::min(boxes.size(), end - first);
         primitives.bounds(static_cast<std::uint32_t>(first), std::span(boxes).first(count));
-        for (std::size_t at = 0; at < count; ++at)
+        for (std::size_t at = 0; at < count; ++at) {
             visit(first + at, boxes[at]);
+        }
     }
 }
 
@@ -119,8 +120,9 @@ Survey survey(PrimitiveSetView primitives, const Chunks& chunks) {
             survey.diagonals[id] = diagonal_of(box);
         });
     });
-    for (const Aabb& part : parts)
+    for (const Aabb& part : parts) {
         survey.centroids.grow(part);
+    }
     return survey;
 }
 

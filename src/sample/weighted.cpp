@@ -17,8 +17,9 @@ constexpr int max_rounds = 16;
 InclusionProbability WeightedSampler::choose(std::span<const float> diagonals, std::uint32_t count,
                                              const SampleOptions& options) const {
     double sum = 0.0;
-    for (const float diagonal : diagonals)
+    for (const float diagonal : diagonals) {
         sum += static_cast<double>(diagonal);
+    }
     const double k = count;
     const double share = sum > 0.0 ? options.uniform_share : 1.0;
     const double at_zero = k * share / static_cast<double>(diagonals.size());

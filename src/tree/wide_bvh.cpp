@@ -8,8 +8,9 @@ namespace coppice {
 
 WideNode make_empty_wide_node() noexcept {
     WideNode node;
-    for (std::size_t slot = 0; slot < wide_width; ++slot)
+    for (std::size_t slot = 0; slot < wide_width; ++slot) {
         node.set(slot, Aabb{}, WideChild::make_empty());
+    }
     return node;
 }
 

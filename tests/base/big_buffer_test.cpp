@@ -15,8 +15,9 @@ TEST(BigBuffer, HoldsWhatIsWritten) {
         EXPECT_EQ(buffer.byte_count(), count * sizeof(std::uint32_t));
         const auto numbers = buffer.view<std::uint32_t>(0, count);
         EXPECT_EQ(reinterpret_cast<std::uintptr_t>(numbers.data()) % 64, 0U);
-        for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t i = 0; i < count; ++i) {
             numbers[i] = static_cast<std::uint32_t>(i);
+        }
         const BigBuffer moved = std::move(buffer);
         EXPECT_EQ(moved.view<std::uint32_t>(0, count)[count - 1], count - 1);
     }

@@ -155,8 +155,9 @@ TEST_P(ParallelSort, SortsAsStdSort) {
     Random random(GetParam());
     for (const std::size_t count : {0U, 1U, 2U, 499U, 500U, 20'000U}) {
         std::vector<std::uint64_t> values(count);
-        for (std::uint64_t& value : values)
+        for (std::uint64_t& value : values) {
             value = (std::uint64_t{random.below(1U << 31)} << 32) + random.below(1U << 31);
+        }
         std::vector<std::uint64_t> expected = values;
         std::sort(expected.begin(), expected.end());
         parallel_sort(values);
@@ -167,8 +168,9 @@ TEST_P(ParallelSort, SortsAsStdSort) {
 TEST_P(ParallelSort, SortsDuplicates) {
     Random random(GetParam());
     std::vector<std::uint64_t> values(5000);
-    for (std::uint64_t& value : values)
+    for (std::uint64_t& value : values) {
         value = random.below(3);
+    }
     parallel_sort(values);
     EXPECT_TRUE(std::is_sorted(values.begin(), values.end()));
 }

@@ -18,8 +18,9 @@ static_assert(random_unit(1, 2) < 1.0);
 template <std::size_t bin_count>
 double chi_square_deviation(const std::array<std::uint64_t, bin_count>& bins) {
     double total = 0.0;
-    for (const std::uint64_t count : bins)
+    for (const std::uint64_t count : bins) {
         total += static_cast<double>(count);
+    }
     const double expected = total / bin_count;
     double chi_square = 0.0;
     for (const std::uint64_t count : bins) {
@@ -37,11 +38,13 @@ TEST_P(RandomBits, AreUniformOverCounters) {
     std::array<std::array<std::uint64_t, bin_count>, 8> bins{};
     for (std::uint64_t counter = 0; counter < 100'000; ++counter) {
         const std::uint64_t bits = random_bits(GetParam(), counter);
-        for (std::size_t byte = 0; byte < 8; ++byte)
+        for (std::size_t byte = 0; byte < 8; ++byte) {
             ++bins[byte][bits >> (8 * byte) & 0xff];
+        }
     }
-    for (const auto& byte : bins)
+    for (const auto& byte : bins) {
         EXPECT_LT(std::abs(chi_square_deviation(byte)), 5.0);
+    }
 }
 
 TEST_P(RandomBits, AreUniformOverSeeds) {

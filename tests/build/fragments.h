@@ -26,8 +26,9 @@ inline constexpr Aabb unit_cube{{0, 0, 0}, {1, 1, 1}};
         for (int corner = 0; corner < 2; ++corner) {
             Vec3f p = random.in_box(unit_cube);
             if (layout == Layout::grid) {
-                for (const Axis axis : all_axes)
+                for (const Axis axis : all_axes) {
                     p[axis] = 0.25F * static_cast<float>(random.below(5));
+                }
             }
             if (layout == Layout::identical) p = corner == 0 ? shared : 0.5F * shared;
             if (layout != Layout::points || corner == 0) box.grow(p);

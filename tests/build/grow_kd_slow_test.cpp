@@ -37,8 +37,9 @@ TriangleMesh make_spheres_on_floor() {
     for (int i = 0; i < 20; ++i) {
         TriangleMesh sphere = scaled(make_sphere(40, 40), random.uniform(0.01F, 0.05F));
         const Vec3f place = random.in_box({{0, 0, 0.1F}, {1, 1, 0.3F}});
-        for (Vec3f& vertex : sphere.vertices)
+        for (Vec3f& vertex : sphere.vertices) {
             vertex = vertex + place;
+        }
         mesh = joined(std::move(mesh), sphere);
     }
     return mesh;

@@ -128,8 +128,9 @@ std::vector<Aabb> row_of_boxes(std::uint32_t count) {
 
 Sample first_ids(std::uint32_t count, double rate) {
     Sample sample{{}, {}, {.rate = rate}};
-    for (std::uint32_t id = 0; id < count; ++id)
+    for (std::uint32_t id = 0; id < count; ++id) {
         sample.ids.push_back(id);
+    }
     return sample;
 }
 
@@ -153,8 +154,9 @@ TEST(GrowKd, MovesAPlaneThatCutOffTooMuch) {
     // Sampled: a row at x = 0 to 1 and one box at x = 99. Not sampled: a few that reach to x = 3.
     std::vector<Aabb> boxes = row_of_boxes(400);
     boxes.push_back({{99, 0, 0}, {100, 1, 1}});
-    for (int i = 0; i < 5; ++i)
+    for (int i = 0; i < 5; ++i) {
         boxes.push_back({{2, 0, 0}, {3, 1, 0.1F * static_cast<float>(i)}});
+    }
     const BoxSet set(boxes);
     const BuildOptions options{.sample = {.rate = 401.0 / 406.0}, .split = {.max_leaf = 1}};
     const auto [refilled, grown] = grow(set, first_ids(401, options.sample.rate), options);

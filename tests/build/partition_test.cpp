@@ -20,8 +20,9 @@ constexpr Aabb at(float lower, float upper) {
 
 std::vector<std::uint32_t> ids_of(const std::vector<Fragment>& fragments) {
     std::vector<std::uint32_t> ids;
-    for (const Fragment& fragment : fragments)
+    for (const Fragment& fragment : fragments) {
         ids.push_back(fragment.id);
+    }
     return ids;
 }
 

@@ -56,8 +56,9 @@ TEST_P(EverySplitFinder, IsStateless) {
 
 std::vector<std::string> rule_names() {
     std::vector<std::string> names;
-    for (const SplitFinderEntry& entry : split_finder_registry())
+    for (const SplitFinderEntry& entry : split_finder_registry()) {
         names.emplace_back(entry.name);
+    }
     return names;
 }
 

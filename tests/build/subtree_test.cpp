@@ -14,8 +14,9 @@ constexpr Plane any_plane{Axis::y, 2.5F};
 
 std::vector<Fragment> fragments_of(std::initializer_list<std::uint32_t> ids) {
     std::vector<Fragment> fragments;
-    for (const std::uint32_t id : ids)
+    for (const std::uint32_t id : ids) {
         fragments.push_back({Aabb{}, id});
+    }
     return fragments;
 }
 

@@ -14,8 +14,9 @@ constexpr Plane any_plane{Axis::y, 2.5F};
 
 TreePart leaf_of(std::vector<std::uint32_t> ids) {
     std::vector<Fragment> fragments;
-    for (const std::uint32_t id : ids)
+    for (const std::uint32_t id : ids) {
         fragments.push_back({Aabb{}, id});
+    }
     Subtree leaf;
     make_leaf(leaf, 0, fragments);
     return TreePart(std::move(leaf));

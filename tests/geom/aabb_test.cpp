@@ -16,8 +16,9 @@ TEST(Aabb, IsEmptyByDefault) {
     EXPECT_EQ(empty.lower, (Vec3f{Aabb::infinity, Aabb::infinity, Aabb::infinity}));
     EXPECT_EQ(empty.upper, (Vec3f{-Aabb::infinity, -Aabb::infinity, -Aabb::infinity}));
     EXPECT_EQ(empty.surface_area(), 0.0);
-    for (const Axis axis : all_axes)
+    for (const Axis axis : all_axes) {
         EXPECT_EQ(empty.extent(axis), 0.0);
+    }
     EXPECT_FALSE(empty.contains({0, 0, 0}));
     EXPECT_FALSE(empty.overlaps(box));
     EXPECT_FALSE(box.overlaps(empty));

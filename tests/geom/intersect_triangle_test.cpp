@@ -275,8 +275,9 @@ INSTANTIATE_TEST_SUITE_P(Seed, IntersectClosedMesh, testing::Values(1U, 2U),
 TEST(IntersectTriangle, WorksAtAllScales) {
     for (const float scale : {1e-38F, 1e-30F, 1e-10F, 1.0F, 1e10F, 1e30F, 1e38F}) {
         Triangle large = triangle;
-        for (Vec3f& corner : large)
+        for (Vec3f& corner : large) {
             corner = scale * corner;
+        }
         const auto hit = intersect_triangle({{0, 0, 0}, {0, 0, scale}}, large);
         ASSERT_TRUE(hit.has_value()) << scale;
         EXPECT_FLOAT_EQ(hit->t, 2.0F);

@@ -29,8 +29,9 @@ std::vector<Vec3f> sorted(std::vector<Vec3f> points) {
 
 std::vector<Vec3f> numbered_points(std::uint32_t count) {
     std::vector<Vec3f> points;
-    for (std::uint32_t i = 0; i < count; ++i)
+    for (std::uint32_t i = 0; i < count; ++i) {
         points.push_back({static_cast<float>(i), 0, 0});
+    }
     return points;
 }
 
@@ -91,8 +92,9 @@ TEST(ShuffledDistinctPoints, TakesBothZerosAsOne) {
         const auto distinct = shuffled_distinct_points(points, 1);
         ASSERT_EQ(distinct.size(), 1U);
         // Always the same zero, whatever came first.
-        for (const Axis axis : all_axes)
+        for (const Axis axis : all_axes) {
             EXPECT_FALSE(std::signbit(distinct[0][axis]));
+        }
     }
 }
 
@@ -121,8 +123,9 @@ TEST(ShuffledDistinctPoints, GivesAllOrdersAlike) {
         ++counts[{shuffled[0].x, shuffled[1].x, shuffled[2].x, shuffled[3].x}];
     }
     EXPECT_EQ(counts.size(), 24U);
-    for (const auto& [order, count] : counts)
+    for (const auto& [order, count] : counts) {
         EXPECT_NEAR(count, 500, 110);
+    }
 }
 
 TEST(ShuffledDistinctPoints, PutsEveryPointEverywhere) {
@@ -136,8 +139,9 @@ TEST(ShuffledDistinctPoints, PutsEveryPointEverywhere) {
         }
     }
     for (const auto& places : seen) {
-        for (const int times : places)
+        for (const int times : places) {
             EXPECT_NEAR(times, 1000, 160);
+        }
     }
 }
 

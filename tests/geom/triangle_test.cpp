@@ -18,15 +18,17 @@ constexpr Aabb unit_cube{{0, 0, 0}, {1, 1, 1}};
 void PrintBox(std::ostream& stream, const Aabb& box) {  // NOLINT(readability-identifier-naming)
     stream.precision(9);
     stream << std::hexfloat;
-    for (const Axis axis : all_axes)
+    for (const Axis axis : all_axes) {
         stream << " [" << box.lower[axis] << ", " << box.upper[axis] << "]";
+    }
 }
 
 std::string description(const Triangle& triangle, const Aabb& box, const Aabb& clipped) {
     std::ostringstream text;
     text << std::hexfloat << "triangle";
-    for (const Vec3f& p : triangle)
+    for (const Vec3f& p : triangle) {
         text << " {" << p.x << ", " << p.y << ", " << p.z << "}";
+    }
     text << "\nbox";
     PrintBox(text, box);
     text << "\nclipped";
@@ -102,8 +104,9 @@ TEST(ClippedTriangleBounds, StaysFlat) {
     for (const Axis axis : all_axes) {
         for (const float position : {0.0F, -0.0F, 0.1F, 1e-30F, 1.0F}) {
             Triangle triangle{Vec3f{-1, -2, -3}, Vec3f{3, -1, -1}, Vec3f{1, 4, 5}};
-            for (Vec3f& corner : triangle)
+            for (Vec3f& corner : triangle) {
                 corner[axis] = position;
+            }
             const Aabb clipped = clipped_triangle_bounds(triangle, unit_cube);
             ASSERT_FALSE(clipped.is_empty());
             EXPECT_EQ(clipped.lower[axis], position);
@@ -127,15 +130,17 @@ float on_grid(Random& random) {
 Triangle make_triangle_of(Shape shape, Random& random) {
     const Aabb around{{-1, -1, -1}, {2, 2, 2}};
     Triangle triangle;
-    for (Vec3f& corner : triangle)
+    for (Vec3f& corner : triangle) {
         corner = random.in_box(around);
+    }
     auto& [a, b, c] = triangle;
     switch (shape) {
         case Shape::any:
             break;
         case Shape::large:
-            for (Vec3f& corner : triangle)
+            for (Vec3f& corner : triangle) {
                 corner = 1e4F * corner;
+            }
             break;
         case Shape::sliver:
             c = b + random.uniform(0, 1e-6F) * to_float(random.direction());
@@ -158,8 +163,9 @@ Triangle make_triangle_of(Shape shape, Random& random) {
             break;
         case Shape::grid:
             for (Vec3f& corner : triangle) {
-                for (const Axis axis : all_axes)
+                for (const Axis axis : all_axes) {
                     corner[axis] = on_grid(random);
+                }
             }
             break;
         case Shape::mixed_scales:
@@ -198,8 +204,9 @@ Aabb make_box_for(Shape shape, Random& random) {
 Case make_case(Shape shape, int exponent, Random& random) {
     Case made{make_triangle_of(shape, random), make_box_for(shape, random)};
     const float factor = std::ldexp(1.0F, exponent);
-    for (Vec3f& corner : made.triangle)
+    for (Vec3f& corner : made.triangle) {
         corner = factor * corner;
+    }
     made.box.lower = factor * made.box.lower;
     made.box.upper = factor * made.box.upper;
     return made;

@@ -39,8 +39,9 @@ TEST(NotFinite, BoxesAreRefused) {
         EXPECT_EQ(error_of(PointCloudView(points)), "primitive 700 has no finite box");
     }
     TriangleMesh mesh = make_soup(50'000, 0.1F, 1);  // checked in parallel, reported in order
-    for (const std::size_t id : {49'999U, 33'333U, 16'500U})
+    for (const std::size_t id : {49'999U, 33'333U, 16'500U}) {
         mesh.vertices[3 * id].x = infinity;
+    }
     EXPECT_EQ(error_of(mesh.view()), "primitive 16500 has no finite box");
 }
 

@@ -98,8 +98,9 @@ TEST_P(EverySampler, WeighsWhatItDraws) {
 
 std::vector<std::string> sampler_names() {
     std::vector<std::string> names;
-    for (const SamplerEntry& entry : sampler_registry())
+    for (const SamplerEntry& entry : sampler_registry()) {
         names.emplace_back(entry.name);
+    }
     return names;
 }
 

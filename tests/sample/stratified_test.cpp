@@ -16,8 +16,9 @@ double worst_gap(const std::vector<Vec3f>& points, std::uint32_t count, std::uin
     double worst = 0.0;
     for (int eighth = 1; eighth < 8; ++eighth) {
         double below = 0.0;
-        for (const std::uint32_t id : sample.ids)
+        for (const std::uint32_t id : sample.ids) {
             below += points[id].x < static_cast<float>(eighth) / 8.0F ? 1.0 : 0.0;
+        }
         worst = std::max(worst, std::abs(below - count * eighth / 8.0));
     }
     return worst;
@@ -35,8 +36,9 @@ TEST(StratifiedSampler, LeavesNoGapAlongALine) {
 TEST(StratifiedSampler, GivesAllTheSameWeight) {
     const std::vector<Vec3f> points(100);
     const Sample sample = StratifiedSampler().draw(PointCloudView(points), 25, {.seed = 1});
-    for (const float weight : sample.weights)
+    for (const float weight : sample.weights) {
         EXPECT_FLOAT_EQ(weight, 4.0F);
+    }
 }
 
 }  // namespace

@@ -32,8 +32,9 @@ std::vector<double> inclusion_deviations(std::uint32_t of, std::uint32_t count, 
     const double expected = rate * draws;
     const double deviation = std::sqrt(draws * rate * (1.0 - rate));
     std::vector<double> deviations;
-    for (const int drawn : times)
+    for (const int drawn : times) {
         deviations.push_back((drawn - expected) / deviation);
+    }
     return deviations;
 }
 

@@ -47,8 +47,9 @@ TEST(WeightedSampler, IsStratifiedWhereAllShareAlike) {
     const Sample sample =
         WeightedSampler().draw(mesh.view(), 91, {.seed = 3, .uniform_share = 1.0});
     EXPECT_EQ(sample.ids.size(), 91U);
-    for (const float weight : sample.weights)
+    for (const float weight : sample.weights) {
         EXPECT_FLOAT_EQ(weight, static_cast<float>(mesh.triangles.size()) / 91.0F);
+    }
 }
 
 }  // namespace

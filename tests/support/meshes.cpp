@@ -204,8 +204,9 @@ TriangleMesh repeated(TriangleMesh mesh, std::uint32_t times) {
 }
 
 TriangleMesh scaled(TriangleMesh mesh, float factor) {
-    for (Vec3f& vertex : mesh.vertices)
+    for (Vec3f& vertex : mesh.vertices) {
         vertex = factor * vertex;
+    }
     return mesh;
 }
 

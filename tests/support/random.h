@@ -32,8 +32,9 @@ public:
 
     [[nodiscard]] Vec3f in_box(const Aabb& box) noexcept {
         Vec3f point;
-        for (const Axis axis : all_axes)
+        for (const Axis axis : all_axes) {
             point[axis] = uniform(box.lower[axis], box.upper[axis]);
+        }
         return point;
     }
 

@@ -127,8 +127,9 @@ Plane RaySource::split_plane() {
 Ray RaySource::axis_parallel() {
     const auto axis = static_cast<Axis>(random_.below(3));
     Ray ray{.origin = vertex()};
-    for (const Axis other : all_axes)
+    for (const Axis other : all_axes) {
         ray.direction[other] = any_zero(random_);
+    }
     const bool is_upward = random_.below(2) == 0;
     ray.direction[axis] = is_upward ? 1.0F : -1.0F;
     if (random_.below(3) == 0) return ray;  // from the vertex itself

@@ -32,8 +32,9 @@ struct WideBox {
 [[nodiscard]] inline WideBox reference_clip(const Triangle& triangle, const WideBox& box) {
     using Point = Vec3<long double>;
     std::vector<Point> polygon;
-    for (const Vec3f& corner : triangle)
+    for (const Vec3f& corner : triangle) {
         polygon.push_back({corner.x, corner.y, corner.z});
+    }
     const auto keep = [&](Axis axis, long double limit, bool keep_lower) {
         const auto is_kept = [&](const Point& p) {
             return keep_lower ? p[axis] <= limit : p[axis] >= limit;

@@ -58,8 +58,9 @@ namespace coppice::test {
     walk(tree, [&](const VisitedNode& at) {
         const KdNode& node = tree.nodes()[at.index];
         if (!node.is_leaf()) {
-            if (node.lower_child() != next_pair)
+            if (node.lower_child() != next_pair) {
                 fault = "child of node " + std::to_string(at.index);
+            }
             next_pair += 2;
         } else if (node.reference_count() > 0) {
             if (node.first_reference() != next_reference) {

@@ -26,8 +26,9 @@ protected:
 TEST_P(EveryIsa, HasNoGapSeenFromInside) {
     for (const Vec3f& offset : {Vec3f{}, Vec3f{148376, 1234, -223423}}) {
         TriangleMesh mesh = make_sphere(40, 41);
-        for (Vec3f& vertex : mesh.vertices)
+        for (Vec3f& vertex : mesh.vertices) {
             vertex = vertex + offset;
+        }
         const WideTracer tracer = make_tracer(mesh);
         Random random(19);
         for (int i = 0; i < 20'000; ++i) {

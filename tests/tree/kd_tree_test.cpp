@@ -76,10 +76,12 @@ TEST(Skeleton, KeepsPlanesAndDropsReferences) {
     const Skeleton skeleton(std::move(tree));
     const TreeParts parts = parts_over_five_boxes();
     ASSERT_EQ(skeleton.nodes().size(), parts.nodes.size());
-    for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_EQ(skeleton.nodes()[i], parts.nodes[i]);
-    for (std::size_t i = 3; i < 7; ++i)
+    }
+    for (std::size_t i = 3; i < 7; ++i) {
         EXPECT_EQ(skeleton.nodes()[i], KdNode{});
+    }
     EXPECT_EQ(skeleton.bounds(), parts.bounds);
 }
 

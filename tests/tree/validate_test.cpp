@@ -217,8 +217,9 @@ TEST(Validate, AcceptsReferencesOfWhatOnlyTouches) {
 TEST(Validate, FindsLostPrimitives) {
     // A primitive that lies in a plane belongs to either side, but not to none.
     std::vector<Aabb> boxes;
-    for (std::uint32_t id = 0; id < 5; ++id)
+    for (std::uint32_t id = 0; id < 5; ++id) {
         boxes.push_back(five_boxes().bounds(id));
+    }
     boxes.push_back(box_at(3.5F, 0));
     EXPECT_THAT(validate(parts_over_five_boxes().tree(), BoxSet(boxes)),
                 are_all(FindingKind::lost_primitive, 5));

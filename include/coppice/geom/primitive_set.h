@@ -64,8 +64,9 @@ private:
             return static_cast<Aabb>(static_cast<const Set*>(set)->bounds(id));
         },
         [](const void* set, std::uint32_t first, std::span<Aabb> boxes) {
-            for (Aabb& box : boxes)
+            for (Aabb& box : boxes) {
                 box = static_cast<Aabb>(static_cast<const Set*>(set)->bounds(first++));
+            }
         },
         [](const void* set, std::uint32_t id, const Aabb& box) {
             return static_cast<Aabb>(static_cast<const Set*>(set)->clipped_bounds(id, box));

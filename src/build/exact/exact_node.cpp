@@ -28,8 +28,9 @@ ExactNode make_exact_node(std::vector<Fragment> fragments) {
     for_each_axis(node.fragments.size(), [&](Axis axis) {
         EventList& events = node.events[static_cast<std::size_t>(axis)];
         events.reserve(2 * node.fragments.size());
-        for (std::uint32_t slot = 0; slot < node.fragments.size(); ++slot)
+        for (std::uint32_t slot = 0; slot < node.fragments.size(); ++slot) {
             add_events(node.fragments[slot], slot, axis, events);
+        }
         parallel_sort(events);
     });
     return node;
@@ -38,8 +39,9 @@ ExactNode make_exact_node(std::vector<Fragment> fragments) {
 void for_each_axis(std::size_t fragment_count, const std::function<void(Axis)>& work) {
     constexpr std::size_t parallel_count = 16384;
     if (fragment_count < parallel_count) {
-        for (const Axis axis : all_axes)
+        for (const Axis axis : all_axes) {
             work(axis);
+        }
     } else {
         parallel_for_chunks(all_axes.size(), 1,
                             [&](std::size_t begin, std::size_t) { work(all_axes[begin]); });

@@ -22,8 +22,9 @@ struct ExactNode {
     /// What all arrays have allocated.
     [[nodiscard]] std::uint64_t capacity_bytes() const noexcept {
         std::uint64_t bytes = fragments.capacity() * sizeof(Fragment);
-        for (const EventList& list : events)
+        for (const EventList& list : events) {
             bytes += list.capacity() * sizeof(EventKey);
+        }
         return bytes;
     }
 };

@@ -24,8 +24,9 @@ std::array<EventList, 2> divide_events(EventList events, std::size_t above_count
         const std::size_t side = target >> 31;
         *ends[side]++ = with_slot(event, target & ~Classification::in_upper_child);
     }
-    for (std::size_t side = 0; side < 2; ++side)
+    for (std::size_t side = 0; side < 2; ++side) {
         sides[side].resize(static_cast<std::size_t>(ends[side] - sides[side].data()));
+    }
     sides[0].shrink_to_fit();
     return sides;
 }
@@ -36,8 +37,9 @@ void merge_new(EventList& events, const std::vector<Fragment>& fragments,
     const auto old_count = static_cast<std::ptrdiff_t>(events.size());
     EventList added;
     added.reserve(2 * slots.size());
-    for (const std::uint32_t slot : slots)
+    for (const std::uint32_t slot : slots) {
         add_events(fragments[slot], slot, axis, added);
+    }
     std::sort(added.begin(), added.end());
     // From the back, so that no event is moved twice.
     events.resize(events.size() + added.size());

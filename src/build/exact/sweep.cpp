@@ -19,8 +19,9 @@ BestSplit sweep_axis_events(const EventList& events, const PlaneEvaluator& evalu
     for (std::size_t i = 0; i < events.size();) {
         const float position = position_of(events[i]);
         std::array<double, 3> passed{};  // by kind
-        for (; i < events.size() && position_of(events[i]) == position; ++i)
+        for (; i < events.size() && position_of(events[i]) == position; ++i) {
             passed[static_cast<std::size_t>(kind_of(events[i]))] += weight_of(events[i]);
+        }
         const auto [ends, planars, starts] = passed;
         // At the plane: what ends here is below it, what starts here is above.
         counts.above -= ends + planars;

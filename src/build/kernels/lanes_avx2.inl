@@ -63,3 +63,26 @@ inline float half_area(Lanes box, float factor) noexcept {
     const __m128 xy_yz = _mm_add_ss(product, _mm_movehdup_ps(product));
     return _mm_cvtss_f32(_mm_add_ss(xy_yz, _mm_movehl_ps(product, product)));
 }
+
+// x, y and z of a point, and nothing beyond: it may be the last of its array.
+inline __m128 load_point(const Vec3f* point) noexcept {
+    return _mm_maskload_ps(&point->x, _mm_setr_epi32(-1, -1, -1, 0));
+}
+
+inline void transpose(const std::array<const Vec3f*, 8>& points,
+                      std::array<std::array<float, 8>, 3>& axes) noexcept {
+    const auto pair = [&](std::size_t lane) {  // lane and lane + 4, a half each
+        return _mm256_set_m128(load_point(points[lane + 4]), load_point(points[lane]));
+    };
+    const __m256 a = pair(0);
+    const __m256 b = pair(1);
+    const __m256 c = pair(2);
+    const __m256 d = pair(3);
+    const __m256 ab_xy = _mm256_unpacklo_ps(a, b);
+    const __m256 cd_xy = _mm256_unpacklo_ps(c, d);
+    const __m256 ab_z = _mm256_unpackhi_ps(a, b);
+    const __m256 cd_z = _mm256_unpackhi_ps(c, d);
+    _mm256_storeu_ps(axes[0].data(), _mm256_shuffle_ps(ab_xy, cd_xy, _MM_SHUFFLE(1, 0, 1, 0)));
+    _mm256_storeu_ps(axes[1].data(), _mm256_shuffle_ps(ab_xy, cd_xy, _MM_SHUFFLE(3, 2, 3, 2)));
+    _mm256_storeu_ps(axes[2].data(), _mm256_shuffle_ps(ab_z, cd_z, _MM_SHUFFLE(1, 0, 1, 0)));
+}

@@ -66,3 +66,13 @@ inline float half_area(Lanes box, float factor) noexcept {
     const float z = (box.value.lane[6] + box.value.lane[2]) * factor;
     return x * y + y * z + z * x;
 }
+
+// The coordinates of eight points, axis by axis.
+inline void transpose(const std::array<const Vec3f*, 8>& points,
+                      std::array<std::array<float, 8>, 3>& axes) noexcept {
+    for (std::size_t lane = 0; lane < 8; ++lane) {
+        axes[0][lane] = points[lane]->x;
+        axes[1][lane] = points[lane]->y;
+        axes[2][lane] = points[lane]->z;
+    }
+}

@@ -72,8 +72,9 @@ inline double cost_of(const CostTerms& terms, double at, double below, double ab
 
 inline double least_cost(const AxisPlanes& planes) noexcept {
     double least = planes.cost[0];
-    for (std::size_t i = 1; i < planes.count; ++i)
+    for (std::size_t i = 1; i < planes.count; ++i) {
         least = planes.cost[i] < least ? planes.cost[i] : least;
+    }
     return least;
 }
 

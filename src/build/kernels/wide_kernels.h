@@ -1,6 +1,8 @@
 #pragma once
 
 #include "coppice/base/cpu.h"
+#include "coppice/geom/triangle_mesh.h"
+#include "coppice/tree/wide_bvh.h"
 
 #include "build/wide/reference.h"
 
@@ -55,6 +57,31 @@ struct ObjectSplit {
     Box8 upper_box;
 };
 
+/// A border between bins.
+struct Border {
+    const BinMapping& mapping;
+    std::uint32_t axis;
+    std::uint32_t bin;  ///< the first above it
+};
+
+/// Something for each side of a border.
+template <typename T>
+struct Sides {
+    T lower;
+    T upper;
+};
+
+/// The arrays of a mesh.
+struct MeshArrays {
+    const Vec3f* vertices;
+    const TriangleIndices* triangles;
+};
+
+/// What the lanes without a triangle hold: no ray hits it.
+inline constexpr Vec3f nowhere{std::numeric_limits<float>::quiet_NaN(),
+                               std::numeric_limits<float>::quiet_NaN(),
+                               std::numeric_limits<float>::quiet_NaN()};
+
 /// The inner loops of the wide builder, compiled for one instruction set. All sets give the same
 /// results to the bit.
 struct Kernels {
@@ -67,11 +94,14 @@ struct Kernels {
     /// The cheapest split between bins; bin 0 if all references are in one bin.
     ObjectSplit (*find_split)(const Bins&, std::uint32_t bin_count, const SplitCosts&) noexcept;
 
-    /// Copies references to the two sides of a split, in their order, and finds both ranges of
+    /// Copies references to the two sides of a border, in their order, and finds both ranges of
     /// centroids.
-    void (*partition)(std::span<const Reference>, const BinMapping&, std::uint32_t axis,
-                      std::uint32_t bin, Reference* lower, Reference* upper, Box8& lower_centroids,
-                      Box8& upper_centroids) noexcept;
+    void (*partition)(std::span<const Reference>, const Border&, Sides<Reference*> out,
+                      Sides<Box8>& centroids) noexcept;
+
+    /// Copies the corners of up to eight triangles into a block.
+    void (*fill_block)(std::span<const std::uint32_t> ids, const MeshArrays&,
+                       TriangleBlock&) noexcept;
 };
 
 /// The kernels for an instruction set that this processor has.

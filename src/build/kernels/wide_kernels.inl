@@ -40,8 +40,9 @@ constexpr std::size_t min_two_sets = 128;
 void bin(std::span<const Reference> references, const BinMapping& mapping, Bins& bins) noexcept {
     const Binner bin_of(mapping);
     if (references.size() < min_two_sets) {
-        for (const Reference& reference : references)
+        for (const Reference& reference : references) {
             add(bins, bin_of, reference);
+        }
         return;
     }
     Bins others;
@@ -115,58 +116,87 @@ void unite_sides(const std::array<Box8, max_bin_count>& boxes, std::uint32_t bin
                  ObjectSplit& split) noexcept {
     Lanes lower = load(boxes[0].lane.data());
     Lanes upper = load(boxes[split.bin].lane.data());
-    for (std::uint32_t at = 1; at < split.bin; ++at)
+    for (std::uint32_t at = 1; at < split.bin; ++at) {
         lower = max(load(boxes[at].lane.data()), lower);
-    for (std::uint32_t at = split.bin + 1; at < bin_count; ++at)
+    }
+    for (std::uint32_t at = split.bin + 1; at < bin_count; ++at) {
         upper = max(load(boxes[at].lane.data()), upper);
+    }
     store(lower, split.lower_box.lane.data());
     store(upper, split.upper_box.lane.data());
+}
+
+// The bins of one axis.
+struct BinnedAxis {
+    std::uint32_t axis;
+    const std::array<Box8, max_bin_count>& boxes;
+    const PerBin& weights;
+    std::uint32_t bin_count;
+};
+
+// Takes the cheapest border on an axis if it is cheaper than the best so far.
+inline void improve_split(const BinnedAxis& bins, const SplitCosts& costs,
+                          ObjectSplit& best) noexcept {
+    Side below{};
+    Side above{};
+    alignas(32) PerBin cost;
+    sum_below(bins.boxes, bins.weights, bins.bin_count, costs.extent_factor, below);
+    sum_above(bins.boxes, bins.weights, bins.bin_count, costs.extent_factor, above);
+    cost_borders(below, above, costs, cost);
+    const auto least = std::min_element(cost.begin() + 1, cost.begin() + bins.bin_count);
+    if (!(*least < best.cost)) return;
+    best.cost = *least;
+    best.axis = bins.axis;
+    best.bin = static_cast<std::uint32_t>(least - cost.begin());
+    best.lower_weight = below.weight[best.bin];
 }
 
 ObjectSplit find_split(const Bins& bins, std::uint32_t bin_count,
                        const SplitCosts& costs) noexcept {
     ObjectSplit best;
-    Side below{};
-    Side above{};
-    alignas(32) PerBin cost;
     for (std::uint32_t axis = 0; axis < 3; ++axis) {
-        sum_below(bins.box[axis], bins.weight[axis], bin_count, costs.extent_factor, below);
-        sum_above(bins.box[axis], bins.weight[axis], bin_count, costs.extent_factor, above);
-        cost_borders(below, above, costs, cost);
-        const auto least = std::min_element(cost.begin() + 1, cost.begin() + bin_count);
-        if (*least < best.cost) {
-            best.cost = *least;
-            best.axis = axis;
-            best.bin = static_cast<std::uint32_t>(least - cost.begin());
-            best.lower_weight = below.weight[best.bin];
-        }
+        improve_split({axis, bins.box[axis], bins.weight[axis], bin_count}, costs, best);
     }
     if (best.bin != 0) unite_sides(bins.box[best.axis], bin_count, best);
     return best;
 }
 
-void partition(std::span<const Reference> references, const BinMapping& mapping,
-               std::uint32_t axis, std::uint32_t bin, Reference* lower, Reference* upper,
-               Box8& lower_centroids, Box8& upper_centroids) noexcept {
-    const float origin = mapping.origin[axis];
-    const float scale = mapping.scale[axis];
-    const auto last_bin = static_cast<float>(mapping.bin_count - 1);
-    std::array<Reference*, 2> out{lower, upper};
-    Lanes lower_range = load(lower_centroids.lane.data());
-    Lanes upper_range = load(upper_centroids.lane.data());
+void partition(std::span<const Reference> references, const Border& border,
+               Sides<Reference*> out, Sides<Box8>& centroids) noexcept {
+    const float origin = border.mapping.origin[border.axis];
+    const float scale = border.mapping.scale[border.axis];
+    const auto last_bin = static_cast<float>(border.mapping.bin_count - 1);
+    std::array<Reference*, 2> next{out.lower, out.upper};
+    Lanes lower_range = load(centroids.lower.lane.data());
+    Lanes upper_range = load(centroids.upper.lane.data());
     for (const Reference& reference : references) {
         const Lanes lanes = load(lanes_of(reference));
-        const float sum = reference.upper[axis] - reference.negated_lower[axis];
+        const float sum = reference.upper[border.axis] - reference.negated_lower[border.axis];
         const float place = (sum - origin) * scale;
-        const std::size_t side = bin_at(place, last_bin) >= bin ? 1 : 0;
-        store(lanes, out[side]->negated_lower.data());
-        ++out[side];
+        const std::size_t side = bin_at(place, last_bin) >= border.bin ? 1 : 0;
+        store(lanes, next[side]->negated_lower.data());
+        ++next[side];
         const Lanes centroid = centroid_of(lanes);
         lower_range = max(only_if(side == 0, centroid), lower_range);
         upper_range = max(only_if(side != 0, centroid), upper_range);
     }
-    store(lower_range, lower_centroids.lane.data());
-    store(upper_range, upper_centroids.lane.data());
+    store(lower_range, centroids.lower.lane.data());
+    store(upper_range, centroids.upper.lane.data());
 }
 
-constexpr Kernels kernels{&unite, &bin, &find_split, &partition};
+void fill_block(std::span<const std::uint32_t> ids, const MeshArrays& mesh,
+                TriangleBlock& block) noexcept {
+    std::array<const Vec3f*, 8> corner;
+    for (std::size_t vertex = 0; vertex < 3; ++vertex) {
+        for (std::size_t lane = 0; lane < 8; ++lane) {
+            corner[lane] = lane < ids.size() ? &mesh.vertices[mesh.triangles[ids[lane]][vertex]]
+                                             : &nowhere;
+        }
+        transpose(corner, block.corner[vertex]);
+    }
+    for (std::size_t lane = 0; lane < 8; ++lane) {
+        block.id[lane] = lane < ids.size() ? ids[lane] : TriangleBlock::no_triangle;
+    }
+}
+
+constexpr Kernels kernels{&unite, &bin, &find_split, &partition, &fill_block};

@@ -45,10 +45,12 @@ Counts count_at(const Positions& positions, std::span<const Fragment> fragments,
         ends[before_end] += fragment.weight;
     }
     Counts counts{};
-    for (std::size_t i = 0; i < plane_count; ++i)
+    for (std::size_t i = 0; i < plane_count; ++i) {
         counts[i].below = (i > 0 ? counts[i - 1].below : 0.0) + starts[i];
-    for (std::size_t i = plane_count; i-- > 0;)
+    }
+    for (std::size_t i = plane_count; i-- > 0;) {
         counts[i].above = (i + 1 < plane_count ? counts[i + 1].above : 0.0) + ends[i + 1];
+    }
     return counts;
 }
 

@@ -25,8 +25,9 @@ public:
     // Passes all events at `position`, the next of all kinds; returns their weight.
     double pass(float position) noexcept {
         double weight = 0.0;
-        while (passed_ < keys_.size() && position_of(keys_[passed_]) == position)
+        while (passed_ < keys_.size() && position_of(keys_[passed_]) == position) {
             weight += weight_of(keys_[passed_++]);
+        }
         return weight;
     }
 

@@ -8,8 +8,9 @@ std::optional<Split> sweep_axis(const SplitQuery& query, Axis axis) {
     AxisEvents events;
     events.starts.reserve(query.fragments.size());
     events.ends.reserve(query.fragments.size());
-    for (const Fragment& fragment : query.fragments)
+    for (const Fragment& fragment : query.fragments) {
         events.add(fragment, axis);
+    }
     BestSplit best;
     sweep_events(events, PlaneEvaluator(query.box, axis, query.cost),
                  {0.0, weight_of(query.fragments), 0.0}, best);

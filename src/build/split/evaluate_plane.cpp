@@ -6,8 +6,9 @@ namespace coppice {
 
 double weight_of(std::span<const Fragment> fragments) noexcept {
     double weight = 0.0;
-    for (const Fragment& fragment : fragments)
+    for (const Fragment& fragment : fragments) {
         weight += fragment.weight;
+    }
     return weight;
 }
 

@@ -59,10 +59,12 @@ void list_planes(const AxisEnds& ends, const PlaneEvaluator& evaluator,
         planes.position[count] = position + 0.0F;  // never -0: of equal planes either may be chosen
         count += evaluator.is_inside(position) ? 1U : 0U;
     };
-    for (std::size_t i = 0; i < ends.count; ++i)
+    for (std::size_t i = 0; i < ends.count; ++i) {
         list(ends.lower[i]);
-    for (std::size_t i = 0; i < ends.count; ++i)
+    }
+    for (std::size_t i = 0; i < ends.count; ++i) {
         list(ends.upper[i]);
+    }
     planes.count = count;
 }
 

@@ -23,8 +23,9 @@ std::vector<Fragment> subsample(std::span<const Fragment> fragments) {
     const std::size_t count = std::min(subsample_size, fragments.size());
     std::vector<Fragment> part;
     part.reserve(count);
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i) {
         part.push_back(fragments[i * fragments.size() / count]);
+    }
     return part;
 }
 

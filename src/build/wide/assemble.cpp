@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace coppice::wide {
@@ -55,8 +54,9 @@ void copy_nodes(const PlacedPart& placed, std::span<WideNode> nodes) {
     WideNode* out = &nodes[placed.first_node];
     for (const WideNode& node : placed.part->nodes) {
         *out = node;
-        for (WideChild& child : out->child)
+        for (WideChild& child : out->child) {
             child = moved(child, first_node, first_block);
+        }
         ++out;
     }
     for (std::size_t at = 0; at < placed.part->links.size(); ++at) {
@@ -66,30 +66,14 @@ void copy_nodes(const PlacedPart& placed, std::span<WideNode> nodes) {
     }
 }
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr Triangle nowhere{Vec3f{nan, nan, nan}, Vec3f{nan, nan, nan}, Vec3f{nan, nan, nan}};
-
-void fill_block(TriangleBlock& block, std::span<const std::uint32_t> ids, TriangleMeshView mesh) {
-    for (std::size_t lane = 0; lane < wide_width; ++lane) {
-        const bool is_used = lane < ids.size();
-        const Triangle triangle = is_used ? mesh.triangle(ids[lane]) : nowhere;
-        block.id[lane] = is_used ? ids[lane] : TriangleBlock::no_triangle;
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            block.corner[corner][0][lane] = triangle[corner].x;
-            block.corner[corner][1][lane] = triangle[corner].y;
-            block.corner[corner][2][lane] = triangle[corner].z;
-        }
-    }
-}
-
 void fill_blocks(const PlacedPart& placed, std::span<const std::uint32_t> ids,
-                 TriangleMeshView mesh, std::span<TriangleBlock> blocks) {
+                 const MeshArrays& mesh, const Kernels& kernels, std::span<TriangleBlock> blocks) {
     TriangleBlock* block = blocks.data() + placed.first_block;
     for (const Part::Leaf& leaf : placed.part->leaves) {
         auto rest = ids.subspan(leaf.begin, leaf.count);
         while (!rest.empty()) {
             const std::size_t count = std::min(rest.size(), wide_width);
-            fill_block(*block++, rest.first(count), mesh);
+            kernels.fill_block(rest.first(count), mesh, *block++);
             rest = rest.subspan(count);
         }
     }
@@ -97,7 +81,8 @@ void fill_blocks(const PlacedPart& placed, std::span<const std::uint32_t> ids,
 
 }  // namespace
 
-WideBvh assemble(GrownTree&& grown, Arena&& arena, TriangleMeshView mesh, MemoryMeter& meter) {
+WideBvh assemble(GrownTree&& grown, Arena&& arena, TriangleMeshView mesh, const Kernels& kernels,
+                 MemoryMeter& meter) {
     Places places;
     places.add(grown.root);
     if (places.node_count > WideChild::max_node_index ||
@@ -116,9 +101,10 @@ WideBvh assemble(GrownTree&& grown, Arena&& arena, TriangleMeshView mesh, Memory
     const MeteredBytes new_bytes(&meter, fits ? 0 : all_bytes);
     const auto nodes = storage.view<WideNode>(0, places.node_count);
     const auto blocks = storage.view<TriangleBlock>(node_bytes, places.block_count);
+    const MeshArrays arrays{mesh.vertices().data(), mesh.triangles().data()};
     parallel_for_chunks(places.parts.size(), 1, [&](std::size_t at, std::size_t /*end*/) {
         copy_nodes(places.parts[at], nodes);
-        fill_blocks(places.parts[at], ids, mesh, blocks);
+        fill_blocks(places.parts[at], ids, arrays, kernels, blocks);
     });
     storage.shrink(all_bytes);
     return {std::make_shared<const BigBuffer>(std::move(storage)), nodes, blocks, grown.bounds};

@@ -49,8 +49,9 @@ public:
     Grower(const Top& top, std::span<const Range> cells, const Splitter& splitter,
            std::span<std::uint32_t> ids)
         : top_(top), splitter_(splitter), ids_(ids), ranges_(top.nodes.size()) {
-        for (std::size_t node = top.nodes.size(); node-- > 0;)
+        for (std::size_t node = top.nodes.size(); node-- > 0;) {
             ranges_[node] = range_of(top.nodes[node], cells);
+        }
     }
 
     [[nodiscard]] GrownTree grow() && {
@@ -186,15 +187,17 @@ std::uint64_t byte_count(const Part& part) noexcept {
     std::uint64_t bytes = part.nodes.capacity() * sizeof(WideNode) +
                           part.leaves.capacity() * sizeof(Part::Leaf) +
                           part.links.capacity() * sizeof(Part::Link);
-    for (const Part::Link& link : part.links)
+    for (const Part::Link& link : part.links) {
         bytes += byte_count(*link.part);
+    }
     return bytes;
 }
 
 GrownTree grow_wide(const Cells& cells, const Kernels& kernels) {
     Box8 bounds = Box8::make_empty();
-    for (const Range& range : cells.ranges)
+    for (const Range& range : cells.ranges) {
         bounds.grow(range.box);
+    }
     const SplitCosts costs{static_cast<float>(block_size), true, extent_factor_of(bounds)};
     const Splitter splitter(cells.arena.first(), cells.arena.second(), costs, kernels);
     return Grower(cells.top, cells.ranges, splitter, cells.arena.ids()).grow();

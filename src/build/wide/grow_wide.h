@@ -56,6 +56,6 @@ struct GrownTree {
 /// tree takes the place of the references in the arena. Throws Error(limit) if there are more nodes
 /// or blocks than a child can name.
 [[nodiscard]] WideBvh assemble(GrownTree&& grown, Arena&& arena, TriangleMeshView mesh,
-                               MemoryMeter& meter);
+                               const Kernels& kernels, MemoryMeter& meter);
 
 }  // namespace coppice::wide

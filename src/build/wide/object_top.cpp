@@ -13,6 +13,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace coppice::wide {
@@ -26,8 +27,9 @@ constexpr int max_top_depth = 32;
 
 float weight_of(std::span<const Reference> references) {
     float sum = 0.0F;
-    for (const Reference& reference : references)
+    for (const Reference& reference : references) {
         sum += reference.weight;
+    }
     return sum;
 }
 
@@ -65,39 +67,75 @@ private:
     std::uint32_t cell_count_ = 0;
 };
 
-// Where descents may begin: a grid over the sampled centroids, each voxel with the deepest node
-// that all of its centroids pass. Most of the way down is one look-up.
+// Ways to a cell without the descent from the root. A reference is mostly in the cell of the one
+// before, for meshes are coherent. If not, a grid over the sampled centroids gives for each voxel
+// the deepest node that all of its centroids pass.
 class Shortcuts {
 public:
-    explicit Shortcuts(const Top& top) : top_(top), starts_(resolution * resolution * resolution) {
+    // A cell and the sums that lead to it: lower <= sum < upper on every axis.
+    struct Place {
+        std::uint32_t cell = 0;
+        std::array<float, 3> lower{infinity, infinity, infinity};
+        std::array<float, 3> upper{-infinity, -infinity, -infinity};
+    };
+
+    explicit Shortcuts(const Top& top)
+        : top_(top), places_(top.cell_count), starts_(resolution * resolution * resolution) {
+        place_cells(0, {0, {-infinity, -infinity, -infinity}, {infinity, infinity, infinity}});
         for (std::size_t axis = 0; axis < 3; ++axis) {
             origin_[axis] = top.centroids.lower(axis);
             const float extent = top.centroids.upper(axis) - origin_[axis];
             const float scale = static_cast<float>(resolution) / extent;
             scale_[axis] = std::isfinite(scale) ? scale : 0.0F;
         }
-        for (std::size_t voxel = 0; voxel < starts_.size(); ++voxel)
+        for (std::size_t voxel = 0; voxel < starts_.size(); ++voxel) {
             starts_[voxel] = deepest_node_over(voxel);
+        }
     }
 
-    [[nodiscard]] std::uint32_t cell_of(const Reference& reference) const {
+    // Makes `place` the one of a reference; it may be that already.
+    void find(const Reference& reference, Place& place) const {
         std::array<float, 3> sum;
-        std::size_t voxel = 0;
+        bool is_same = true;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             sum[axis] = reference.upper[axis] - reference.negated_lower[axis];
-            const float place = (sum[axis] - origin_[axis]) * scale_[axis];
-            constexpr auto last = static_cast<float>(resolution - 1);
-            const float clamped = std::max(0.0F, place < last ? place : last);
-            voxel = voxel * resolution + static_cast<std::size_t>(clamped);
+            is_same &= (sum[axis] >= place.lower[axis]) & (sum[axis] < place.upper[axis]);
         }
-        const TopNode* node = &top_.nodes[starts_[voxel]];
-        while (node->axis != TopNode::is_cell)
-            node = &top_.nodes[node->index + (sum[node->axis] < node->position ? 0U : 1U)];
-        return node->index;
+        if (!is_same) place = places_[cell_of(sum)];
     }
 
 private:
     static constexpr std::size_t resolution = 32;
+    static constexpr float infinity = std::numeric_limits<float>::infinity();
+
+    void place_cells(std::uint32_t index, Place place) {
+        const TopNode& node = top_.nodes[index];
+        if (node.axis == TopNode::is_cell) {
+            place.cell = node.index;
+            places_[node.index] = place;
+            return;
+        }
+        Place lower = place;
+        lower.upper[node.axis] = node.position;
+        place.lower[node.axis] = node.position;
+        place_cells(node.index, lower);
+        place_cells(node.index + 1, place);
+    }
+
+    [[nodiscard]] std::uint32_t cell_of(const std::array<float, 3>& sum) const {
+        std::size_t voxel = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const float at = (sum[axis] - origin_[axis]) * scale_[axis];
+            constexpr auto last = static_cast<float>(resolution - 1);
+            const float clamped = std::max(0.0F, at < last ? at : last);
+            voxel = voxel * resolution + static_cast<std::size_t>(clamped);
+        }
+        const TopNode* node = &top_.nodes[starts_[voxel]];
+        while (node->axis != TopNode::is_cell) {
+            node = &top_.nodes[node->index + (sum[node->axis] < node->position ? 0U : 1U)];
+        }
+        return node->index;
+    }
 
     [[nodiscard]] std::uint32_t deepest_node_over(std::size_t voxel) const {
         const std::array<std::size_t, 3> at{voxel / (resolution * resolution),
@@ -120,6 +158,7 @@ private:
     }
 
     const Top& top_;
+    std::vector<Place> places_;  // of each cell
     std::array<float, 3> origin_{};
     std::array<float, 3> scale_{};
     std::vector<std::uint32_t> starts_;
@@ -149,8 +188,10 @@ std::vector<Range> fill_cells(const Top& top, std::span<Reference> from, std::sp
     const Shortcuts shortcuts(top);
     parallel_for_chunks(from.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
         std::uint32_t* counts = &places[begin / chunk_size * cell_count];
+        Shortcuts::Place place;
         for (Reference& reference : from.subspan(begin, end - begin)) {
-            const std::uint32_t cell = shortcuts.cell_of(reference);
+            shortcuts.find(reference, place);
+            const std::uint32_t cell = place.cell;
             reference.weight = std::bit_cast<float>(cell);  // until it is moved
             ++counts[cell];
         }

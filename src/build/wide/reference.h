@@ -33,8 +33,9 @@ struct Box8 {
     [[nodiscard]] constexpr float upper(std::size_t axis) const noexcept { return lane[4 + axis]; }
 
     constexpr void grow(const Box8& other) noexcept {
-        for (std::size_t i = 0; i < lane.size(); ++i)
+        for (std::size_t i = 0; i < lane.size(); ++i) {
             lane[i] = lane[i] < other.lane[i] ? other.lane[i] : lane[i];
+        }
     }
 };
 

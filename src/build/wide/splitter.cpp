@@ -68,8 +68,9 @@ Halves halves_of(const Range& range, const ObjectSplit& split, std::uint32_t low
 
 float extent_factor_of(const Box8& box) noexcept {
     float longest = 0.0F;
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
         longest = std::max(longest, 0.5F * box.upper(axis) - 0.5F * box.lower(axis));
+    }
     if (!(longest > 0.0F)) return 1.0F;
     return std::ldexp(1.0F, std::clamp(-std::ilogb(longest), -126, 126));
 }
@@ -137,8 +138,11 @@ Halves Splitter::divide(const Range& range, const ObjectSplit& split,
                                           : count_lower(references, split, mapping);
     Halves halves = halves_of(range, split, lower_count);
     Reference* out = buffers_[halves.lower.buffer].data();
-    kernels_.partition(references, mapping, split.axis, split.bin, out + halves.lower.begin,
-                       out + halves.upper.begin, halves.lower.centroids, halves.upper.centroids);
+    Sides<Box8> centroids{Box8::make_empty(), Box8::make_empty()};
+    kernels_.partition(references, {mapping, split.axis, split.bin},
+                       {out + halves.lower.begin, out + halves.upper.begin}, centroids);
+    halves.lower.centroids = centroids.lower;
+    halves.upper.centroids = centroids.upper;
     return halves;
 }
 
@@ -150,22 +154,23 @@ Halves Splitter::divide_in_chunks(const Range& range, const ObjectSplit& split,
         lower_begin[chunk] = count_lower(references.subspan(first, last - first), split, mapping);
     });
     std::uint32_t lower_count = 0;
-    for (std::uint32_t& count : lower_begin)
+    for (std::uint32_t& count : lower_begin) {
         count = std::exchange(lower_count, lower_count + count);
+    }
 
     Halves halves = halves_of(range, split, lower_count);
     Reference* out = buffers_[halves.lower.buffer].data();
-    std::vector<Halves> parts(lower_begin.size());
+    std::vector<Sides<Box8>> parts(lower_begin.size(), {Box8::make_empty(), Box8::make_empty()});
     for_chunks(references.size(), [&](std::size_t chunk, std::size_t first, std::size_t last) {
         const std::size_t lower = lower_begin[chunk];
-        kernels_.partition(references.subspan(first, last - first), mapping, split.axis, split.bin,
-                           out + halves.lower.begin + lower,
-                           out + halves.upper.begin + (first - lower), parts[chunk].lower.centroids,
-                           parts[chunk].upper.centroids);
+        kernels_.partition(
+            references.subspan(first, last - first), {mapping, split.axis, split.bin},
+            {out + halves.lower.begin + lower, out + halves.upper.begin + (first - lower)},
+            parts[chunk]);
     });
-    for (const Halves& part : parts) {
-        halves.lower.centroids.grow(part.lower.centroids);
-        halves.upper.centroids.grow(part.upper.centroids);
+    for (const Sides<Box8>& part : parts) {
+        halves.lower.centroids.grow(part.lower);
+        halves.upper.centroids.grow(part.upper);
     }
     return halves;
 }

@@ -19,10 +19,7 @@ struct Range {
 };
 
 /// The two halves of a range that was split.
-struct Halves {
-    Range lower;
-    Range upper;
-};
+using Halves = Sides<Range>;
 
 /// Splits ranges of references by binned SAH over their centroids, moving them from one of two
 /// buffers into the other. The same result for any number of threads.

@@ -6,8 +6,9 @@ struct Lanes {
 
 template <typename Operation>
 inline Lanes each(Lanes a, Lanes b, Operation&& operation) noexcept {
-    for (std::size_t i = 0; i < 8; ++i)
+    for (std::size_t i = 0; i < 8; ++i) {
         a.lane[i] = operation(a.lane[i], b.lane[i]);
+    }
     return a;
 }
 
@@ -51,15 +52,17 @@ inline Lanes abs(Lanes a) noexcept {
 // A bit for every lane in which a <= b.
 inline unsigned less_equal(Lanes a, Lanes b) noexcept {
     unsigned mask = 0;
-    for (unsigned i = 0; i < 8; ++i)
+    for (unsigned i = 0; i < 8; ++i) {
         mask |= (a.lane[i] <= b.lane[i] ? 1U : 0U) << i;
+    }
     return mask;
 }
 
 // The same for a < b.
 inline unsigned less(Lanes a, Lanes b) noexcept {
     unsigned mask = 0;
-    for (unsigned i = 0; i < 8; ++i)
+    for (unsigned i = 0; i < 8; ++i) {
         mask |= (a.lane[i] < b.lane[i] ? 1U : 0U) << i;
+    }
     return mask;
 }

@@ -243,8 +243,9 @@ private:
             if (other.child.is_empty()) break;  // met only if no axis cuts; the rest is empty too
             if (other.enter < at.enter) std::swap(other, at);
             std::size_t place = size_++;
-            for (; place > first && stack_[place - 1].enter < other.enter; --place)
+            for (; place > first && stack_[place - 1].enter < other.enter; --place) {
                 stack_[place] = stack_[place - 1];
+            }
             stack_[place] = other;
         }
         return !at.child.is_empty();

@@ -50,8 +50,9 @@ TEST_P(ExactBuilderScene, BuildsWhatTheNaiveBuilderDoes) {
 TEST_P(ExactBuilderScene, CountsWeightsAsTheNaiveBuilderDoes) {
     const TriangleMesh mesh = GetParam().make();
     std::vector<Fragment> fragments = whole_fragments(mesh.view());
-    for (Fragment& fragment : fragments)
+    for (Fragment& fragment : fragments) {
         fragment.weight = 1.0F + 0.25F * static_cast<float>(fragment.id % 7);
+    }
     expect_same(fragments, mesh.view(), exact_options(Clipping::perfect, 0.5), to_the_end);
 }
 

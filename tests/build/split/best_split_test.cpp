@@ -20,8 +20,9 @@ TEST(BestSplit, DoesNotMindTheOrder) {
     std::sort(splits.begin(), splits.end(), by_plane);
     do {
         BestSplit best;
-        for (const Split& split : splits)
+        for (const Split& split : splits) {
             best.offer(split);
+        }
         EXPECT_EQ(best.get()->plane, (Plane{Axis::x, 2.0F}));
         EXPECT_EQ(best.cost(), 2.0);
     } while (std::next_permutation(splits.begin(), splits.end(), by_plane));
