@@ -6,7 +6,10 @@
 
 #include "coppice/geom/triangle.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace coppice {
 namespace {
@@ -28,12 +31,12 @@ double edge_function(Vec3d a, Vec3d b) noexcept {
 
 TriangleTest::TriangleTest(const Ray& ray) noexcept
     : origin_(to_double(ray.origin)), t_min_(ray.t_min) {
-    const Vec3d direction = to_double(ray.direction);
-    for (const Axis axis : {Axis::y, Axis::z}) {
+    const std::array<double, 3> direction{ray.direction.x, ray.direction.y, ray.direction.z};
+    for (const std::size_t axis : {1U, 2U}) {
         if (std::abs(direction[axis]) > std::abs(direction[z_])) z_ = axis;
     }
-    x_ = next_axis(z_);
-    y_ = next_axis(x_);
+    x_ = (z_ + 1) % 3;
+    y_ = (z_ + 2) % 3;
     if (direction[z_] < 0.0) std::swap(x_, y_);
     scale_z_ = 1.0 / direction[z_];
     shear_x_ = direction[x_] * scale_z_;
@@ -41,7 +44,7 @@ TriangleTest::TriangleTest(const Ray& ray) noexcept
 }
 
 Vec3d TriangleTest::to_frame(Vec3f corner) const noexcept {
-    const Vec3d p = to_double(corner) - origin_;
+    const std::array<double, 3> p{corner.x - origin_.x, corner.y - origin_.y, corner.z - origin_.z};
     const double z = p[z_];
     return {p[x_] - shear_x_ * z, p[y_] - shear_y_ * z, scale_z_ * z};
 }
@@ -53,14 +56,16 @@ std::optional<Hit> TriangleTest::operator()(const Triangle& triangle, float t_ma
     const double weight_a = edge_function(c, b);
     const double weight_b = edge_function(a, c);
     const double weight_c = edge_function(b, a);
-    const bool any_negative = weight_a < 0.0 || weight_b < 0.0 || weight_c < 0.0;
-    const bool any_positive = weight_a > 0.0 || weight_b > 0.0 || weight_c > 0.0;
-    if (any_negative == any_positive) return std::nullopt;  // outside, or edge-on
+    const double least = std::min(weight_a, std::min(weight_b, weight_c));
+    const double most = std::max(weight_a, std::max(weight_b, weight_c));
+    if ((least < 0.0) == (most > 0.0)) return std::nullopt;  // outside, or edge-on
 
-    const double sum = weight_a + weight_b + weight_c;
-    const auto t = static_cast<float>((weight_a * a.z + weight_b * b.z + weight_c * c.z) / sum);
+    const double per_weight = 1.0 / (weight_a + weight_b + weight_c);
+    const auto t = static_cast<float>(
+        (weight_a * a.z + weight_b * b.z + weight_c * c.z) * per_weight);
     if (!(t >= t_min_ && t <= t_max)) return std::nullopt;
-    return Hit{t, static_cast<float>(weight_b / sum), static_cast<float>(weight_c / sum), 0};
+    return Hit{t, static_cast<float>(weight_b * per_weight),
+               static_cast<float>(weight_c * per_weight), 0};
 }
 
 std::optional<Hit> intersect_triangle(const Ray& ray, const Triangle& triangle) noexcept {

@@ -5,6 +5,7 @@
 #include "coppice/geom/vec3.h"
 
 #include <array>
+#include <cstddef>
 #include <optional>
 
 namespace coppice {
@@ -42,9 +43,9 @@ private:
     Vec3d origin_;
     float t_min_;
     // The ray's axes, longest component last, wound so that a triangle's orientation is kept.
-    Axis x_ = Axis::x;
-    Axis y_ = Axis::x;
-    Axis z_ = Axis::x;
+    std::size_t x_ = 0;
+    std::size_t y_ = 0;
+    std::size_t z_ = 0;
     double shear_x_;
     double shear_y_;
     double scale_z_;

@@ -189,8 +189,8 @@ class Traversal {
 public:
     Traversal(const WideBvh& tree, const Ray& ray) noexcept
         : tree_(tree),
+          ray_(ray),
           lanes_(ray, tree.bounds()),
-          test_(ray),
           enter_(broadcast(below(ray.t_min))),
           exit_(broadcast(above(ray.t_max))) {
         hit_.t = ray.t_max;
@@ -226,29 +226,44 @@ private:
         const BoxHits met = from_behind ? meet_boxes_behind(node, lanes_, enter_, exit_)
                                         : meet_boxes(node, lanes_, enter_, exit_);
         if (met.mask == 0) return false;
-        if ((met.mask & (met.mask - 1)) == 0) {
-            at.child = node.child[static_cast<std::size_t>(std::countr_zero(met.mask))];
-            return true;
+        const auto child_of = [&](unsigned mask) {
+            return node.child[static_cast<std::size_t>(std::countr_zero(mask))];
+        };
+        at.child = child_of(met.mask);
+        const unsigned others = met.mask & (met.mask - 1);
+        if (others == 0) return true;
+        if (any_hit) {
+            // In any order: sorting costs more than it saves, and no hit makes the ray shorter.
+            for (unsigned rest = others; rest != 0; rest &= rest - 1) push({0.0F, child_of(rest)});
+        } else {
+            push_sorted(others, node, met, at);
         }
+        return !at.child.is_empty();
+    }
+
+    // Empty children are met only if no axis cuts.
+    void push(Entry entry) noexcept {
+        if (!entry.child.is_empty()) stack_[size_++] = entry;
+    }
+
+    // Puts all but the nearest of the first child and the others on the stack, the nearer on top.
+    void push_sorted(unsigned others, const WideNode& node, const BoxHits& met,
+                     Entry& nearest) noexcept {
         alignas(32) std::array<float, 8> enter;
         store(met.enter, enter);
-        const auto entry_of = [&](unsigned mask) {
-            const auto slot = static_cast<std::size_t>(std::countr_zero(mask));
-            return Entry{enter[slot], node.child[slot]};
-        };
-        at = entry_of(met.mask);
+        nearest.enter = enter[static_cast<std::size_t>(std::countr_zero(met.mask))];
         const std::size_t first = size_;
-        for (unsigned rest = met.mask & (met.mask - 1); rest != 0; rest &= rest - 1) {
-            Entry other = entry_of(rest);
-            if (other.child.is_empty()) break;  // met only if no axis cuts; the rest is empty too
-            if (other.enter < at.enter) std::swap(other, at);
+        for (unsigned rest = others; rest != 0; rest &= rest - 1) {
+            const auto slot = static_cast<std::size_t>(std::countr_zero(rest));
+            Entry other{enter[slot], node.child[slot]};
+            if (other.child.is_empty()) break;  // see push(); the rest is empty too
+            if (other.enter < nearest.enter) std::swap(other, nearest);
             std::size_t place = size_++;
             for (; place > first && stack_[place - 1].enter < other.enter; --place) {
                 stack_[place] = stack_[place - 1];
             }
             stack_[place] = other;
         }
-        return !at.child.is_empty();
     }
 
     // True if something in the leaf is hit, closer than all before.
@@ -265,7 +280,8 @@ private:
     }
 
     bool test_triangle(const TriangleBlock& block, std::size_t lane) noexcept {
-        const auto found = test_(block.triangle(lane), hit_.t);
+        if (!test_) test_.emplace(ray_);
+        const auto found = (*test_)(block.triangle(lane), hit_.t);
         const std::uint32_t id = block.id[lane];
         if (!found || (has_hit_ && found->t == hit_.t && id > hit_.prim)) return false;
         hit_ = {found->t, found->u, found->v, id};
@@ -276,8 +292,9 @@ private:
     }
 
     const WideBvh& tree_;
+    const Ray& ray_;
     LaneRay lanes_;
-    TriangleTest test_;
+    std::optional<TriangleTest> test_;  // made when first needed
     Lanes enter_;
     Lanes exit_;
     float limit_ = std::numeric_limits<float>::infinity();
