@@ -61,8 +61,8 @@ std::optional<Hit> TriangleTest::operator()(const Triangle& triangle, float t_ma
     if ((least < 0.0) == (most > 0.0)) return std::nullopt;  // outside, or edge-on
 
     const double per_weight = 1.0 / (weight_a + weight_b + weight_c);
-    const auto t = static_cast<float>(
-        (weight_a * a.z + weight_b * b.z + weight_c * c.z) * per_weight);
+    const auto t =
+        static_cast<float>((weight_a * a.z + weight_b * b.z + weight_c * c.z) * per_weight);
     if (!(t >= t_min_ && t <= t_max)) return std::nullopt;
     return Hit{t, static_cast<float>(weight_b * per_weight),
                static_cast<float>(weight_c * per_weight), 0};

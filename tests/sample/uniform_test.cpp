@@ -32,6 +32,7 @@ std::vector<double> inclusion_deviations(std::uint32_t of, std::uint32_t count, 
     const double expected = rate * draws;
     const double deviation = std::sqrt(draws * rate * (1.0 - rate));
     std::vector<double> deviations;
+    deviations.reserve(times.size());
     for (const int drawn : times) {
         deviations.push_back((drawn - expected) / deviation);
     }
@@ -59,7 +60,7 @@ TEST(UniformSampler, DrawsEveryPairAlikeOften) {
         const Ids ids = draw_uniform(10, 3, static_cast<std::uint64_t>(seed));
         together += ids[0] == 0 && ids[1] == 1 ? 1 : 0;
     }
-    EXPECT_NEAR(together, draws / 15, 4.5 * std::sqrt(draws / 15.0));
+    EXPECT_NEAR(together, draws / 15.0, 4.5 * std::sqrt(draws / 15.0));
 }
 
 TEST(UniformSampler, SamplesOfOneSeedAreNested) {

@@ -128,8 +128,9 @@ TriangleMesh make_sheet(std::uint32_t cells, Vec3f origin, Vec3f u, Vec3f v) {
 TriangleMesh make_boxes(std::uint32_t count) {
     TriangleMesh mesh;
     for (std::uint32_t i = 0; i < count * count * count; ++i) {
-        const Vec3f cell{static_cast<float>(i % count), static_cast<float>(i / count % count),
-                         static_cast<float>(i / count / count)};
+        const std::uint32_t row = i / count;
+        const Vec3f cell{static_cast<float>(i % count), static_cast<float>(row % count),
+                         static_cast<float>(row / count)};
         add_box(mesh, 4.0F * cell, {2, 2, 3});
     }
     return mesh;

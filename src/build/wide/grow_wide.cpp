@@ -66,8 +66,8 @@ private:
         std::array<Item, wide_width> item;
         std::size_t count = 0;
 
-        void add(Item&& added) {
-            if (added.range.size() > 0) item[count++] = std::move(added);
+        void add(const Item& added) {
+            if (added.range.size() > 0) item[count++] = added;
         }
     };
 
@@ -86,9 +86,9 @@ private:
         return with_area({ranges_[node], is_cell ? not_top : node, 0.0});
     }
 
-    static Item with_area(Item&& item) {
+    static Item with_area(Item item) {
         item.area = to_aabb(item.range.box).surface_area();
-        return std::move(item);
+        return item;
     }
 
     void open(Children& children, std::size_t at, bool by_sah) const {
@@ -106,14 +106,14 @@ private:
         children.add(with_area({halves.upper, not_top, 0.0}));
     }
 
-    [[nodiscard]] Children open_all(Item&& item, int depth) const {
+    [[nodiscard]] Children open_all(const Item& item, int depth) const {
         const bool by_sah = depth < max_sah_depth;
         const auto extent = [&](const Item& child) {
             if (!child.can_open()) return -1.0;
             return by_sah ? child.area : static_cast<double>(child.range.size());
         };
         Children children;
-        children.add(std::move(item));
+        children.add(item);
         while (children.count > 0 && children.count < wide_width) {
             std::size_t largest = 0;
             for (std::size_t at = 1; at < children.count; ++at) {
@@ -137,10 +137,10 @@ private:
         return WideChild::make_leaf(first, count);
     }
 
-    std::uint32_t grow_node(Part& part, Item&& item, int depth) {
+    std::uint32_t grow_node(Part& part, const Item& item, int depth) {
         const auto index = static_cast<std::uint32_t>(part.nodes.size());
         part.nodes.push_back(make_empty_wide_node());
-        const Children children = open_all(std::move(item), depth);
+        const Children children = open_all(item, depth);
         std::vector<std::pair<std::size_t, const Item*>> tasks;
         for (std::size_t slot = 0; slot < children.count; ++slot) {
             const Item& child = children.item[slot];
@@ -151,7 +151,7 @@ private:
             } else if (child.range.size() >= min_task_size) {
                 tasks.emplace_back(slot, &child);
             } else {
-                const std::uint32_t node = grow_node(part, Item(child), depth + 1);
+                const std::uint32_t node = grow_node(part, child, depth + 1);
                 part.nodes[index].child[slot] = WideChild::make_inner(node);
             }
         }
@@ -171,7 +171,7 @@ private:
                 {node, static_cast<std::uint32_t>(slot), std::make_unique<Part>()});
         }
         parallel_for_chunks(tasks.size(), 1, [&](std::size_t task, std::size_t /*end*/) {
-            grow_node(*part.links[first + task].part, Item(*tasks[task].second), depth);
+            grow_node(*part.links[first + task].part, *tasks[task].second, depth);
         });
     }
 
