@@ -129,8 +129,9 @@ TriangleMesh make_boxes(std::uint32_t count) {
     TriangleMesh mesh;
     for (std::uint32_t i = 0; i < count * count * count; ++i) {
         const std::uint32_t row = i / count;
+        const std::uint32_t layer = row / count;
         const Vec3f cell{static_cast<float>(i % count), static_cast<float>(row % count),
-                         static_cast<float>(row / count)};
+                         static_cast<float>(layer)};
         add_box(mesh, 4.0F * cell, {2, 2, 3});
     }
     return mesh;
