@@ -16,6 +16,9 @@ constexpr std::size_t cache_line = 64;
 constexpr std::size_t small_page = 4096;
 constexpr std::size_t huge_page = std::size_t{2} << 20U;
 
+// No address space has more, and rounding it up does not overflow.
+constexpr std::size_t most_bytes = SIZE_MAX / 4;
+
 constexpr std::size_t round_up(std::size_t size, std::size_t unit) noexcept {
     return (size + unit - 1) / unit * unit;
 }
@@ -23,7 +26,7 @@ constexpr std::size_t round_up(std::size_t size, std::size_t unit) noexcept {
 }  // namespace
 
 BigBuffer::BigBuffer(std::size_t byte_count) : byte_count_(byte_count) {
-    if (byte_count > SIZE_MAX - huge_page) throw std::bad_alloc();
+    if (byte_count > most_bytes) throw std::bad_alloc();
     // Below two huge pages the rest of the last one would weigh too much.
     const bool is_huge = byte_count >= 2 * huge_page;
     const std::size_t alignment = is_huge ? huge_page : cache_line;
