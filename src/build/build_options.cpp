@@ -27,9 +27,16 @@ void check(const BuildOptions& options) {
             split.max_depth, "[0, 60]");
     require(split.max_leaf >= 1, "max leaf", split.max_leaf, "[1, 2^32)");
     require(split.bad_refines >= 1, "bad refines", split.bad_refines, "[1, 2^31)");
+    require(split.min_split >= 1, "min split", split.min_split, "[1, 2^32)");
     require(split.max_duplication >= 1, "max duplication", split.max_duplication, "[1, 2^32)");
     require(options.threads >= 0, "threads", options.threads, "[0, 2^31)");
-    require(options.wide.cell_size >= 64, "cell size", options.wide.cell_size, "[64, 2^32)");
+    const WideOptions& wide = options.wide;
+    require(wide.cell_size == 0 || wide.cell_size >= 64, "cell size", wide.cell_size,
+            "[64, 2^32) and not 0");
+    if (!(wide.expected_rays >= 0.0)) {
+        throw Error(ErrorCode::invalid_argument,
+                    fmt::format("expected rays {} is outside [0, inf]", wide.expected_rays));
+    }
     check(options.cost);
 }
 
@@ -76,6 +83,7 @@ void to_json(nlohmann::json& json, const BuildOptions& options) {
               {"clipping", name_of(options.split.clipping)},
               {"counting", name_of(options.split.counting)},
               {"stop", name_of(options.split.stop)},
+              {"min_split", options.split.min_split},
               {"max_duplication", options.split.max_duplication}}},
             {"growth", name_of(options.growth)},
             {"cost", options.cost},

@@ -15,25 +15,33 @@ namespace {
 // more of it, trees of all scenes cost more (docs/decisions/0004).
 constexpr SahCostModel cost{.empty_bonus = 0.2};
 
+// How far splitting goes on while it pays. The last bit of it gains a fraction of a percent and
+// takes much of the time (docs/decisions/0004).
+struct Effort {
+    std::uint32_t min_split;
+    std::uint32_t max_duplication;
+};
+
+constexpr Effort thorough{1, 64};
+constexpr Effort usual{3, 6};
+constexpr Effort quick{4, 4};
+
 // A k-d tree built from all primitives until no split pays.
-BuildOptions direct(const char* rule, std::uint32_t max_duplication) {
-    return {.split = {.rule = rule, .stop = Stop::sah, .max_duplication = max_duplication},
+BuildOptions direct(const char* rule, Effort effort) {
+    return {.split = {.rule = rule,
+                      .stop = Stop::sah,
+                      .min_split = effort.min_split,
+                      .max_duplication = effort.max_duplication},
             .growth = Growth::none,
             .cost = cost};
 }
 
-// The more duplication is allowed, the lower the cost and the longer the build: from 8 on the cost
-// gains less than 1 % (docs/decisions/0004).
-constexpr std::uint32_t reference_duplication = 64;
-constexpr std::uint32_t usual_duplication = 8;
-constexpr std::uint32_t least_duplication = 5;
-
 BuildOptions exact() {
-    return direct("exact", reference_duplication);
+    return direct("exact", thorough);
 }
 
 BuildOptions binned() {
-    return direct("binned", usual_duplication);
+    return direct("binned", usual);
 }
 
 BuildOptions sampled() {
@@ -41,17 +49,18 @@ BuildOptions sampled() {
             .split = {.rule = "binned",
                       .max_leaf = 64,
                       .bad_refines = 1,
-                      .max_duplication = least_duplication},
+                      .min_split = quick.min_split,
+                      .max_duplication = quick.max_duplication},
             .growth = Growth::kd,
             .cost = cost};
 }
 
 BuildOptions subsampled() {
-    return direct("subsampled", usual_duplication);
+    return direct("subsampled", usual);
 }
 
 BuildOptions adaptive() {
-    return direct("adaptive", usual_duplication);
+    return direct("adaptive", usual);
 }
 
 BuildOptions sweep() {

@@ -62,7 +62,7 @@ struct StopRule {
 
 /// Splits go on as long as they pay.
 [[nodiscard]] inline StopRule until_it_pays(const SplitOptions& split) noexcept {
-    return {0, 1, split.max_depth, SplitSearch::until_it_pays,
+    return {split.min_split - 1, 1, split.max_depth, SplitSearch::until_it_pays,
             static_cast<double>(split.max_duplication)};
 }
 

@@ -35,9 +35,9 @@ TriangleTest::TriangleTest(const Ray& ray) noexcept
     x_ = next_axis(z_);
     y_ = next_axis(x_);
     if (direction[z_] < 0.0) std::swap(x_, y_);
-    shear_x_ = direction[x_] / direction[z_];
-    shear_y_ = direction[y_] / direction[z_];
     scale_z_ = 1.0 / direction[z_];
+    shear_x_ = direction[x_] * scale_z_;
+    shear_y_ = direction[y_] * scale_z_;
 }
 
 Vec3d TriangleTest::to_frame(Vec3f corner) const noexcept {

@@ -47,6 +47,7 @@ TEST(CheckBuildOptions, NamesWhatIsOutside) {
     EXPECT_EQ(error_of({.split = {.bad_refines = -7}}), "bad refines -7 is outside [1, 2^31)");
     EXPECT_EQ(error_of({.split = {.max_duplication = 0}}),
               "max duplication 0 is outside [1, 2^32)");
+    EXPECT_EQ(error_of({.split = {.min_split = 0}}), "min split 0 is outside [1, 2^32)");
     EXPECT_EQ(error_of({.threads = -1}), "threads -1 is outside [0, 2^31)");
     EXPECT_EQ(error_of({.cost = {.traversal = -1.0}}), "traversal cost -1 is outside [0, inf)");
 }
@@ -67,6 +68,7 @@ TEST(BuildOptions, AreSerializedUnderTheirNames) {
                                          .clipping = Clipping::bounding_box,
                                          .counting = Counting::expected,
                                          .stop = Stop::sah,
+                                         .min_split = 3,
                                          .max_duplication = 8},
                                .growth = Growth::none,
                                .cost = {.traversal = 15, .intersection = 20, .empty_bonus = 0.2},
@@ -82,6 +84,7 @@ TEST(BuildOptions, AreSerializedUnderTheirNames) {
           {"clipping", "bounding_box"},
           {"counting", "expected"},
           {"stop", "sah"},
+          {"min_split", 3},
           {"max_duplication", 8}}},
         {"growth", "none"},
         {"cost", {{"traversal", 15.0}, {"intersection", 20.0}, {"empty_bonus", 0.2}}},
@@ -117,6 +120,7 @@ TEST(BuildOptions, DefaultsAreDocumented) {
     EXPECT_EQ(options.split.clipping, Clipping::perfect);
     EXPECT_EQ(options.split.counting, Counting::sampled);
     EXPECT_EQ(options.split.stop, Stop::limits);
+    EXPECT_EQ(options.split.min_split, 1U);
     EXPECT_EQ(options.split.max_duplication, std::numeric_limits<std::uint32_t>::max());
     EXPECT_EQ(options.growth, Growth::kd);
     EXPECT_EQ(options.wide.preset, WidePreset::automatic);

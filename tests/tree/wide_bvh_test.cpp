@@ -99,7 +99,7 @@ TEST(ValidateWide, FindsWhatIsWrong) {
         {FindingKind::bad_reference, [](SpoiledTree& tree) { tree.blocks[0].id[0] = 5000; }},
         {FindingKind::wrong_corners,
          [](SpoiledTree& tree) { tree.blocks[0].corner[1][2][0] += 0.5F; }},
-        {FindingKind::box_outside, [](SpoiledTree& tree) { tree.nodes[1].upper[0][0] += 5.0F; }},
+        {FindingKind::box_outside, [](SpoiledTree& tree) { tree.nodes[1].bound[3][0] += 5.0F; }},
         {FindingKind::lost_primitive,
          [](SpoiledTree& tree) { tree.blocks[0].id[0] = TriangleBlock::no_triangle; }}};
     ASSERT_GT(SpoiledTree(mesh).nodes.size(), 1U);

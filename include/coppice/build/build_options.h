@@ -39,10 +39,11 @@ struct SplitOptions {
     Clipping clipping = Clipping::perfect;
     Counting counting = Counting::sampled;
     Stop stop = Stop::limits;
-    std::uint32_t max_duplication =
-        std::numeric_limits<std::uint32_t>::max();  ///< where splits go on as long as they pay
-                                                    ///< (stop, growth), references that a primitive
-                                                    ///< may become, on average along a path; >= 1
+    /// Where splits go on as long as they pay, in a build that stops so and in growth: nodes of
+    /// fewer primitives are not split; >= 1.
+    std::uint32_t min_split = 1;
+    /// There, too: references that a primitive may become, on average along a path; >= 1.
+    std::uint32_t max_duplication = std::numeric_limits<std::uint32_t>::max();
 };
 
 /// How the refilled leaves go on.
@@ -53,16 +54,17 @@ enum class Growth {
 
 /// How much a wide tree may cost to build.
 enum class WidePreset {
-    automatic,  ///< chosen from the scene
-    fast,       ///< least build time
-    balanced,   ///< between the two
-    quality     ///< least cost of the tree
+    automatic,  ///< one of the others, by the number of rays a triangle is expected to pay for
+    fast,       ///< least build time: cells by centroids, nothing is cut
+    balanced,   ///< cells by planes, which cut the triangles between them: better for large ones
+    quality     ///< many small cells by planes, from a larger sample
 };
 
 /// How build_wide_bvh() goes about its work; k-d trees do not use it.
 struct WideOptions {
     WidePreset preset = WidePreset::automatic;
-    std::uint32_t cell_size = 4096;        ///< triangles a cell of the top is to hold; >= 64
+    double expected_rays = 1e7;            ///< that will be traced: what `automatic` goes by; >= 0
+    std::uint32_t cell_size = 0;           ///< triangles a cell is to hold, >= 64; 0: the preset's
     std::uint32_t sampled_from = 200'000;  ///< scenes of fewer triangles are not sampled
 };
 

@@ -67,25 +67,24 @@ private:
     std::uint32_t bits_;
 };
 
-/// Eight children with their boxes, axis by axis as the kernels load them. Empty slots come last
+/// Eight children with their boxes, bound by bound as the kernels load them. Empty slots come last
 /// and have an empty box.
 struct alignas(64) WideNode {
-    std::array<std::array<float, wide_width>, 3> lower;
-    std::array<std::array<float, wide_width>, 3> upper;
+    std::array<std::array<float, wide_width>, 6> bound;  ///< lower x, y, z, upper x, y, z
     std::array<WideChild, wide_width> child;
     std::array<std::uint32_t, 8> unused{};  ///< up to whole cache lines; 0, so that bytes compare
 
     /// The box of one child.
     [[nodiscard]] Aabb child_box(std::size_t slot) const noexcept {
-        return {{lower[0][slot], lower[1][slot], lower[2][slot]},
-                {upper[0][slot], upper[1][slot], upper[2][slot]}};
+        return {{bound[0][slot], bound[1][slot], bound[2][slot]},
+                {bound[3][slot], bound[4][slot], bound[5][slot]}};
     }
 
     /// Sets one slot.
     void set(std::size_t slot, const Aabb& box, WideChild what) noexcept {
         for (const Axis axis : all_axes) {
-            lower[static_cast<std::size_t>(axis)][slot] = box.lower[axis];
-            upper[static_cast<std::size_t>(axis)][slot] = box.upper[axis];
+            bound[static_cast<std::size_t>(axis)][slot] = box.lower[axis];
+            bound[3 + static_cast<std::size_t>(axis)][slot] = box.upper[axis];
         }
         child[slot] = what;
     }

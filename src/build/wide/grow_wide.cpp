@@ -191,14 +191,13 @@ std::uint64_t byte_count(const Part& part) noexcept {
     return bytes;
 }
 
-GrownTree grow_wide(const Top& top, std::span<const Range> cells, const Arena& arena,
-                    const Kernels& kernels) {
+GrownTree grow_wide(const Cells& cells, const Kernels& kernels) {
     Box8 bounds = Box8::make_empty();
-    for (const Range& cell : cells)
-        bounds.grow(cell.box);
+    for (const Range& range : cells.ranges)
+        bounds.grow(range.box);
     const SplitCosts costs{static_cast<float>(block_size), true, extent_factor_of(bounds)};
-    const Splitter splitter(arena.first(), arena.second(), costs, kernels);
-    return Grower(top, cells, splitter, arena.ids()).grow();
+    const Splitter splitter(cells.arena.first(), cells.arena.second(), costs, kernels);
+    return Grower(cells.top, cells.ranges, splitter, cells.arena.ids()).grow();
 }
 
 }  // namespace coppice::wide

@@ -50,8 +50,7 @@ struct GrownTree {
 /// Builds the wide tree over cells that hang in a top: the top is collapsed into nodes of eight,
 /// and every cell is built on by binned object splits. The arena receives the leaves' ids.
 /// Source: [Wald2007], [Tessari2023].
-[[nodiscard]] GrownTree grow_wide(const Top& top, std::span<const Range> cells, const Arena& arena,
-                                  const Kernels& kernels);
+[[nodiscard]] GrownTree grow_wide(const Cells& cells, const Kernels& kernels);
 
 /// Puts the parts together in depth-first order and copies the triangles' corners into blocks. The
 /// tree takes the place of the references in the arena. Throws Error(limit) if there are more nodes

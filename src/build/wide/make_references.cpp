@@ -13,14 +13,13 @@ namespace {
 
 constexpr std::size_t chunk_size = 16384;
 
-Reference make_reference(const Triangle& triangle, std::uint32_t id) {
+// triangle_bounds(), inline.
+Aabb bounds_of_corners(const Triangle& triangle) {
     const auto& [a, b, c] = triangle;
     const auto lowest = [](float p, float q, float r) { return std::min(std::min(p, q), r); };
     const auto highest = [](float p, float q, float r) { return std::max(std::max(p, q), r); };
-    return {{-lowest(a.x, b.x, c.x), -lowest(a.y, b.y, c.y), -lowest(a.z, b.z, c.z)},
-            id,
-            {highest(a.x, b.x, c.x), highest(a.y, b.y, c.y), highest(a.z, b.z, c.z)},
-            1.0F};
+    return {{lowest(a.x, b.x, c.x), lowest(a.y, b.y, c.y), lowest(a.z, b.z, c.z)},
+            {highest(a.x, b.x, c.x), highest(a.y, b.y, c.y), highest(a.z, b.z, c.z)}};
 }
 
 // 0 if all nine coordinates are finite, else NaN.
@@ -38,7 +37,7 @@ void make_references(TriangleMeshView mesh, std::span<Reference> references) {
         for (std::size_t at = begin; at < end; ++at) {
             const auto id = static_cast<std::uint32_t>(at);
             const Triangle triangle = mesh.triangle(id);
-            references[at] = make_reference(triangle, id);
+            references[at] = make_reference(bounds_of_corners(triangle), id);
             test += finite_or_nan(triangle);
         }
         if (std::isnan(test)) are_finite = false;

@@ -14,6 +14,14 @@ namespace coppice::wide {
 /// Error(invalid_argument) naming the first triangle whose box is not finite.
 void make_references(TriangleMeshView mesh, std::span<Reference> references);
 
+/// A reference of weight 1 with a box.
+[[nodiscard]] inline Reference make_reference(const Aabb& box, std::uint32_t id) noexcept {
+    return {{-box.lower.x, -box.lower.y, -box.lower.z},
+            id,
+            {box.upper.x, box.upper.y, box.upper.z},
+            1.0F};
+}
+
 /// References as the primitives they are, for samplers. Must not outlive them.
 class ReferenceSet {
 public:

@@ -179,14 +179,12 @@ std::vector<Range> fill_cells(const Top& top, std::span<Reference> from, std::sp
     return cells;
 }
 
-std::vector<Range> measure_cells(std::span<const Range> cells, const Arena& arena,
-                                 const Kernels& kernels) {
-    const Splitter splitter(arena.first(), arena.second(), {}, kernels);
-    std::vector<Range> measured(cells.size());
-    parallel_for_chunks(cells.size(), 1, [&](std::size_t at, std::size_t /*end*/) {
-        measured[at] = splitter.measured(cells[at].begin, cells[at].end, cells[at].buffer);
+void measure_cells(Cells& cells, const Kernels& kernels) {
+    const Splitter splitter(cells.arena.first(), cells.arena.second(), {}, kernels);
+    parallel_for_chunks(cells.ranges.size(), 1, [&](std::size_t at, std::size_t /*end*/) {
+        Range& range = cells.ranges[at];
+        range = splitter.measured(range.begin, range.end, range.buffer);
     });
-    return measured;
 }
 
 }  // namespace coppice::wide

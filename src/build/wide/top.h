@@ -1,5 +1,8 @@
 #pragma once
 
+#include "coppice/geom/triangle_mesh.h"
+#include "coppice/tree/kd_tree.h"
+
 #include "build/kernels/wide_kernels.h"
 #include "build/wide/arena.h"
 #include "build/wide/splitter.h"
@@ -38,8 +41,18 @@ struct Top {
 [[nodiscard]] std::vector<Range> fill_cells(const Top& top, std::span<Reference> from,
                                             std::span<Reference> to);
 
-/// The ranges with their boxes and centroids found.
-[[nodiscard]] std::vector<Range> measure_cells(std::span<const Range> cells, const Arena& arena,
-                                               const Kernels& kernels);
+/// The cells that a tree is grown from: a top, and the references below each of its leaves.
+struct Cells {
+    Top top;
+    Arena arena;
+    std::vector<Range> ranges;  ///< of each cell, in one of the arena's buffers
+};
+
+/// The leaves of a k-d tree as cells, the boxes of their triangles clipped to them. Ranges have no
+/// boxes yet.
+[[nodiscard]] Cells cells_of(const KdTree& tree, TriangleMeshView mesh, MemoryMeter& meter);
+
+/// Finds the boxes and centroids of the ranges.
+void measure_cells(Cells& cells, const Kernels& kernels);
 
 }  // namespace coppice::wide

@@ -39,6 +39,20 @@ inline Lanes3 broadcast(Vec3f v) noexcept {
     return {broadcast(v.x), broadcast(v.y), broadcast(v.z)};
 }
 
+// More than all that rounding does to a distance.
+constexpr float shrink = 1.0F - 0x1.0p-21F;
+constexpr float grow = 1.0F + 0x1.0p-21F;
+
+// Hits count by their rounded t: those a little outside of an interval may belong to it. The least
+// slack is far from the denormal numbers, which are slow to calculate with.
+inline float above(float t) noexcept {
+    return std::max(t * shrink, t * grow) + 0x1.0p-100F;
+}
+
+inline float below(float t) noexcept {
+    return std::min(t * shrink, t * grow) - 0x1.0p-100F;
+}
+
 // The reciprocal of a direction's component, or NaN where it or a distance to a box could overflow:
 // then nothing is cut on that axis.
 inline float inverse_of(Axis axis, const Ray& ray, const Aabb& bounds) noexcept {
@@ -50,56 +64,81 @@ inline float inverse_of(Axis axis, const Ray& ray, const Aabb& bounds) noexcept 
     return is_near && !is_tiny ? 1.0F / direction : std::numeric_limits<float>::quiet_NaN();
 }
 
-// A ray as the kernels use it.
+// A ray as the kernels use it. Reciprocals are off by half a unit of rounding, differences and
+// products by as much again: distances to near planes are taken a little too small and those to far
+// planes a little too large [Ize2013]. That is so for positive distances; negative ones matter only
+// to rays with t_min < 0, whose boxes are met by meet_boxes_behind().
 struct LaneRay {
     LaneRay(const Ray& ray, const Aabb& bounds) noexcept
+        : LaneRay(ray, Vec3f{inverse_of(Axis::x, ray, bounds), inverse_of(Axis::y, ray, bounds),
+                        inverse_of(Axis::z, ray, bounds)}) {}
+
+    LaneRay(const Ray& ray, Vec3f inverse) noexcept
         : origin(broadcast(ray.origin)),
           direction(broadcast(ray.direction)),
-          inverse(broadcast({inverse_of(Axis::x, ray, bounds), inverse_of(Axis::y, ray, bounds),
-                             inverse_of(Axis::z, ray, bounds)})),
-          is_negative{std::signbit(ray.direction.x), std::signbit(ray.direction.y),
-                      std::signbit(ray.direction.z)} {}
+          to_near(broadcast(shrink * inverse)),
+          to_far(broadcast(grow * inverse)),
+          direction_size(sum_of_abs(direction)),
+          near{near_row(Axis::x, ray), near_row(Axis::y, ray), near_row(Axis::z, ray)} {}
+
+    // The row of WideNode::bound that the ray comes to first; the other is 3 away.
+    static std::size_t near_row(Axis axis, const Ray& ray) noexcept {
+        return static_cast<std::size_t>(axis) + (std::signbit(ray.direction[axis]) ? 3 : 0);
+    }
 
     Lanes3 origin;
     Lanes3 direction;
-    Lanes3 inverse;
-    std::array<bool, 3> is_negative;
+    Lanes3 to_near;
+    Lanes3 to_far;
+    Lanes direction_size;
+    std::array<std::size_t, 3> near;
 };
-
-// Hits count by their rounded t: those a little outside of an interval may belong to it. The least
-// slack is far from the denormal numbers, which are slow to calculate with.
-constexpr float shrink = 1.0F - 0x1.0p-21F;
-constexpr float grow = 1.0F + 0x1.0p-21F;
-
-inline float above(float t) noexcept {
-    return std::max(t * shrink, t * grow) + 0x1.0p-100F;
-}
-
-inline float below(float t) noexcept {
-    return std::min(t * shrink, t * grow) - 0x1.0p-100F;
-}
 
 struct BoxHits {
     unsigned mask;
     Lanes enter;
 };
 
+struct Distances {
+    Lanes3 near;
+    Lanes3 far;
+};
+
+// To the six planes of each child's box.
+inline Distances measure_boxes(const WideNode& node, const LaneRay& ray) noexcept {
+    const auto near = [&](std::size_t axis, Lanes origin, Lanes inverse) {
+        return (load(node.bound[ray.near[axis]]) - origin) * inverse;
+    };
+    const auto far = [&](std::size_t axis, Lanes origin, Lanes inverse) {
+        return (load(node.bound[2 * axis + 3 - ray.near[axis]]) - origin) * inverse;
+    };
+    return {{near(0, ray.origin.x, ray.to_near.x), near(1, ray.origin.y, ray.to_near.y),
+             near(2, ray.origin.z, ray.to_near.z)},
+            {far(0, ray.origin.x, ray.to_far.x), far(1, ray.origin.y, ray.to_far.y),
+             far(2, ray.origin.z, ray.to_far.z)}};
+}
+
 // The children whose boxes the ray meets between enter and exit.
 inline BoxHits meet_boxes(const WideNode& node, const LaneRay& ray, Lanes enter,
                           Lanes exit) noexcept {
-    const auto cut = [&](std::size_t axis, Lanes origin, Lanes inverse) {
-        const bool is_negative = ray.is_negative[axis];
-        const Lanes near = load(is_negative ? node.upper[axis] : node.lower[axis]);
-        const Lanes far = load(is_negative ? node.lower[axis] : node.upper[axis]);
-        enter = max((near - origin) * inverse, enter);
-        exit = min((far - origin) * inverse, exit);
-    };
-    cut(0, ray.origin.x, ray.inverse.x);
-    cut(1, ray.origin.y, ray.inverse.y);
-    cut(2, ray.origin.z, ray.inverse.z);
-    const Lanes low = broadcast(shrink);
-    const Lanes high = broadcast(grow);
-    return {less_equal(min(enter * low, enter * high), max(exit * low, exit * high)), enter};
+    const auto [near, far] = measure_boxes(node, ray);
+    // Two by two: of a NaN the second argument is left, at worst less is cut.
+    enter = max(max(near.x, near.y), max(near.z, enter));
+    exit = min(min(far.x, far.y), min(far.z, exit));
+    return {less_equal(enter, exit), enter};
+}
+
+// The same for distances of either sign.
+inline BoxHits meet_boxes_behind(const WideNode& node, const LaneRay& ray, Lanes enter,
+                                 Lanes exit) noexcept {
+    const auto [near, far] = measure_boxes(node, ray);
+    const Lanes low = broadcast(shrink * shrink * shrink);
+    const Lanes high = broadcast(grow * grow * grow);
+    const auto lowest = [&](Lanes t) { return min(t * low, t * high); };
+    const auto highest = [&](Lanes t) { return max(t * low, t * high); };
+    enter = max(max(lowest(near.x), lowest(near.y)), max(lowest(near.z), enter));
+    exit = min(min(highest(far.x), highest(far.y)), min(highest(far.z), exit));
+    return {less_equal(enter, exit), enter};
 }
 
 // Twice the volume between the ray and an edge from `a` to `b`, by both as seen from its origin.
@@ -126,13 +165,11 @@ inline unsigned sift_triangles(const TriangleBlock& block, const LaneRay& ray) n
     const Lanes ca = edge_volume(ray, c, a);
     const Lanes size = sum_of_abs(b - a) + sum_of_abs(c - a);
     const Lanes reach = sum_of_abs(a) + size;
-    const Lanes largest = max(abs(ab), max(abs(bc), abs(ca)));
     // Corners are off by 2^-24 of their distance, products and sums by a few times 2^-24: together
-    // by less than 2^-19 reach size |direction|, plus a share of the volumes themselves.
-    // What underflows is less than 2^-120 (1 + |direction|).
-    const Lanes direction_size = sum_of_abs(ray.direction);
-    const Lanes error = broadcast(0x1.0p-19F) * (reach * size * direction_size + largest) +
-                        broadcast(0x1.0p-120F) * (direction_size + broadcast(1.0F));
+    // by less than 2^-19 reach size |direction|. What underflows is less than 2^-120 of 1 +
+    // |direction|.
+    const Lanes error = broadcast(0x1.0p-19F) * (reach * size * ray.direction_size) +
+                        broadcast(0x1.0p-120F) * (ray.direction_size + broadcast(1.0F));
     const Lanes least = min(ab, min(bc, ca));
     const Lanes most = max(ab, max(bc, ca));
     const Lanes zero = broadcast(0.0F);
@@ -147,7 +184,7 @@ struct Entry {
     WideChild child;
 };
 
-template <bool any_hit>
+template <bool any_hit, bool from_behind>
 class Traversal {
 public:
     Traversal(const WideBvh& tree, const Ray& ray) noexcept
@@ -160,37 +197,57 @@ public:
     }
 
     bool run(Hit& hit) noexcept {
-        visit_node(tree_.nodes().front());
-        while (size_ > 0) {
-            const Entry entry = stack_[--size_];
-            if (entry.enter > limit_) continue;
-            if (!entry.child.is_leaf()) {
-                visit_node(tree_.nodes()[entry.child.node()]);
-            } else if (visit_leaf(entry.child) && any_hit) {
+        Entry at{0.0F, WideChild::make_inner(0)};
+        for (;;) {
+            if (!at.child.is_leaf()) {
+                if (step_down(tree_.nodes()[at.child.node()], at)) continue;
+            } else if (visit_leaf(at.child) && any_hit) {
                 break;
             }
+            if (!pop(at)) break;
         }
         hit = hit_;
         return has_hit_;
     }
 
 private:
-    // Puts the children that the ray meets on the stack, the nearest on top.
-    void visit_node(const WideNode& node) noexcept {
-        const BoxHits met = meet_boxes(node, lanes_, enter_, exit_);
-        if (met.mask == 0) return;
+    // The next entry not behind the closest hit, or false.
+    bool pop(Entry& at) noexcept {
+        while (size_ > 0) {
+            at = stack_[--size_];
+            if (at.enter <= limit_) return true;
+        }
+        return false;
+    }
+
+    // Goes on to the nearest child that the ray meets and leaves the others on the stack, the
+    // nearer ones on top; false if it meets none.
+    bool step_down(const WideNode& node, Entry& at) noexcept {
+        const BoxHits met = from_behind ? meet_boxes_behind(node, lanes_, enter_, exit_)
+                                        : meet_boxes(node, lanes_, enter_, exit_);
+        if (met.mask == 0) return false;
+        if ((met.mask & (met.mask - 1)) == 0) {
+            at.child = node.child[static_cast<std::size_t>(std::countr_zero(met.mask))];
+            return true;
+        }
         alignas(32) std::array<float, 8> enter;
         store(met.enter, enter);
+        const auto entry_of = [&](unsigned mask) {
+            const auto slot = static_cast<std::size_t>(std::countr_zero(mask));
+            return Entry{enter[slot], node.child[slot]};
+        };
+        at = entry_of(met.mask);
         const std::size_t first = size_;
-        for (unsigned rest = met.mask; rest != 0; rest &= rest - 1) {
-            const auto slot = static_cast<std::size_t>(std::countr_zero(rest));
-            const Entry entry{enter[slot], node.child[slot]};
-            if (entry.child.is_empty()) break;  // met only if no axis cuts; the rest is empty too
-            std::size_t at = size_++;
-            for (; at > first && stack_[at - 1].enter < entry.enter; --at)
-                stack_[at] = stack_[at - 1];
-            stack_[at] = entry;
+        for (unsigned rest = met.mask & (met.mask - 1); rest != 0; rest &= rest - 1) {
+            Entry other = entry_of(rest);
+            if (other.child.is_empty()) break;  // met only if no axis cuts; the rest is empty too
+            if (other.enter < at.enter) std::swap(other, at);
+            std::size_t place = size_++;
+            for (; place > first && stack_[place - 1].enter < other.enter; --place)
+                stack_[place] = stack_[place - 1];
+            stack_[place] = other;
         }
+        return !at.child.is_empty();
     }
 
     // True if something in the leaf is hit, closer than all before.
@@ -231,7 +288,9 @@ private:
 
 template <bool any_hit>
 bool trace(const WideBvh& tree, const Ray& ray, Hit& hit) noexcept {
-    return is_traceable(ray) && Traversal<any_hit>(tree, ray).run(hit);
+    if (!is_traceable(ray)) return false;
+    if (ray.t_min < 0.0F) return Traversal<any_hit, true>(tree, ray).run(hit);
+    return Traversal<any_hit, false>(tree, ray).run(hit);
 }
 
 constexpr TraceKernels kernels{&trace<false>, &trace<true>};

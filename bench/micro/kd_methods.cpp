@@ -1,0 +1,40 @@
+#include "coppice/build/build_tree.h"
+#include "coppice/build/method.h"
+
+#include "terrain.h"
+
+#include <benchmark/benchmark.h>
+
+#include <string>
+
+namespace coppice::bench {
+namespace {
+
+// Items are triangles; the cost of the tree stands beside.
+void build(benchmark::State& state, const std::string& method) {
+    const TriangleMeshView triangles = terrain().view();
+    BuildReport report;
+    for ([[maybe_unused]] const auto step : state) {
+        benchmark::DoNotOptimize(build_kd_tree(triangles, find_method(method).options(), &report));
+    }
+    state.SetItemsProcessed(state.iterations() * triangles.size());
+    state.counters["sah_cost"] = report.statistics.sah_cost;
+}
+
+BENCHMARK_CAPTURE(build, exact, std::string("exact"))->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(build, binned, std::string("binned"))
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(build, sampled, std::string("sampled"))
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(build, subsampled, std::string("subsampled"))
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(build, adaptive, std::string("adaptive"))
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(build, sweep, std::string("sweep"))->UseRealTime()->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace coppice::bench

@@ -1,0 +1,36 @@
+#include "build/split/best_split.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+namespace coppice::test {
+namespace {
+
+TEST(BestSplit, DoesNotMindTheOrder) {
+    std::array<Split, 4> splits{Split{{Axis::y, 1.0F}, PlanarSide::below, 2.0},
+                                Split{{Axis::x, 3.0F}, PlanarSide::below, 2.0},
+                                Split{{Axis::x, 2.0F}, PlanarSide::below, 2.0},
+                                Split{{Axis::x, 1.0F}, PlanarSide::below, 5.0}};
+    const auto by_plane = [](const Split& a, const Split& b) {
+        return std::pair(a.plane.axis, a.plane.position) <
+               std::pair(b.plane.axis, b.plane.position);
+    };
+    std::sort(splits.begin(), splits.end(), by_plane);
+    do {
+        BestSplit best;
+        for (const Split& split : splits)
+            best.offer(split);
+        EXPECT_EQ(best.get()->plane, (Plane{Axis::x, 2.0F}));
+        EXPECT_EQ(best.cost(), 2.0);
+    } while (std::next_permutation(splits.begin(), splits.end(), by_plane));
+}
+
+TEST(BestSplit, IsNothingAtFirst) {
+    EXPECT_FALSE(BestSplit().get().has_value());
+    EXPECT_GT(BestSplit().cost(), 1e300);
+}
+
+}  // namespace
+}  // namespace coppice::test
