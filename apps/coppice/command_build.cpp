@@ -16,6 +16,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <limits>
 #include <memory>
 
 namespace coppice::app {
@@ -24,6 +26,8 @@ namespace {
 
 constexpr std::string_view default_method = "auto";
 
+constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
+
 /// The options as the parser fills them in; what is not given is the method's own.
 struct Request {
     std::vector<std::string> scenes;
@@ -31,7 +35,7 @@ struct Request {
     std::optional<double> rate;
     std::string sampler;
     std::uint64_t seed = 1;
-    SahCostModel cost;
+    SahCostModel cost{not_given, not_given, not_given};
     int threads = 0;
     bool as_json = false;
 };
@@ -41,7 +45,12 @@ BuildOptions options_of(const Request& request, const Method& method) {
     if (request.rate) options.sample.rate = *request.rate;
     if (!request.sampler.empty()) options.sample.sampler = request.sampler;
     options.sample.seed = request.seed;
-    options.cost = request.cost;
+    const auto take = [](double given, double& value) {
+        if (!std::isnan(given)) value = given;
+    };
+    take(request.cost.traversal, options.cost.traversal);
+    take(request.cost.intersection, options.cost.intersection);
+    take(request.cost.empty_bonus, options.cost.empty_bonus);
     options.threads = request.threads;
     return options;
 }
@@ -117,6 +126,9 @@ Command add_build(CLI::App& program) {
     add_whole(*parser, {"--seed", "N", "Same seed, same sample", "1"}, request->seed, 0,
               std::numeric_limits<std::int64_t>::max());
     add_costs(*parser, request->cost);
+    for (const char* name : {"--traversal-cost", "--intersection-cost", "--empty-bonus"}) {
+        parser->get_option(name)->default_str("the method's");
+    }
     add_threads(*parser, request->threads);
     add_switch(*parser, "--json", "Print JSON instead of text",
                [request] { request->as_json = true; });

@@ -53,6 +53,9 @@ for share in 5% 0.05 ' 5 %'; do
     expect_equal "$(option cost empty_bonus)" 0.2
 done
 
+expect_exit 0 coppice build balls.ply --method exact --traversal-cost 15 --json
+expect_equal "$(option cost traversal) $(option cost empty_bonus)" '15.0 0.2' # else the method's
+
 # The same seed gives the same tree, another seed another.
 statistics() {
     coppice build balls.ply --method sampled --sample 5% --json "$@" | python3 -c '
