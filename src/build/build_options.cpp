@@ -21,6 +21,11 @@ void require(bool holds, std::string_view name, std::int64_t value, std::string_
 void check(const BuildOptions& options) {
     static_cast<void>(sample_count(1, options.sample.rate));
     static_cast<void>(find_sampler(options.sample.sampler));
+    const double share = options.sample.uniform_share;
+    if (!(share >= 0.0 && share <= 1.0)) {
+        throw Error(ErrorCode::invalid_argument,
+                    fmt::format("uniform share {} is outside [0, 1]", share));
+    }
     const SplitOptions& split = options.split;
     static_cast<void>(find_split_finder(split.rule));
     require(split.max_depth >= 0 && split.max_depth <= KdTree::max_depth, "max depth",
@@ -74,7 +79,8 @@ void to_json(nlohmann::json& json, const BuildOptions& options) {
     json = {{"sample",
              {{"rate", options.sample.rate},
               {"sampler", options.sample.sampler},
-              {"seed", options.sample.seed}}},
+              {"seed", options.sample.seed},
+              {"uniform_share", options.sample.uniform_share}}},
             {"split",
              {{"rule", options.split.rule},
               {"max_depth", options.split.max_depth},
@@ -87,7 +93,11 @@ void to_json(nlohmann::json& json, const BuildOptions& options) {
               {"max_duplication", options.split.max_duplication}}},
             {"growth", name_of(options.growth)},
             {"cost", options.cost},
-            {"wide", {{"preset", name_of(options.wide.preset)}}},
+            {"wide",
+             {{"preset", name_of(options.wide.preset)},
+              {"expected_rays", options.wide.expected_rays},
+              {"cell_size", options.wide.cell_size},
+              {"sampled_from", options.wide.sampled_from}}},
             {"threads", options.threads}};
 }
 

@@ -1,13 +1,15 @@
 // The refilled tree is built on: all primitives go down it once more, and where they come to a leaf
 // a k-d tree of its own takes its place. On the way, two kinds of planes that the sample chose
 // badly are retracted; kept, they cost more than all else that sampling does (docs/decisions/0002).
-// - A plane that cut off a cell which was empty in the sample but is not in the scene: it was
-// chosen
-//   for a bonus it does not earn. It moves out to where the cell is truly empty, if the heuristic,
-//   with all primitives counted, finds that cheaper; where there is no such place it goes, unless
-//   it saves a good part of that without the bonus.
-// - A plane chosen from a handful of sampled primitives: the node is built anew from all of its
-// own. Cost: one pass over the fragments a level, then the builder's.
+//
+// - A plane that cut off a cell which was empty in the sample but is not in the scene was chosen
+// for
+//   a bonus it does not earn. It moves out to where the cell is truly empty, if the heuristic, with
+//   all primitives counted, finds that cheaper; where there is no such place it goes, unless it
+//   saves a good part of that without the bonus.
+// - Of a plane chosen from a handful of sampled primitives the node is built anew from all its own.
+//
+// Cost: one pass over the fragments a level, then the builder's.
 
 #include "coppice/build/refine.h"
 

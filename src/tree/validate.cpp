@@ -9,7 +9,7 @@
 
 #include "coppice/tree/walk.h"
 
-#include <fmt/format.h>
+#include "tree/finding_list.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,23 +39,16 @@ public:
     Validator(const KdTree& tree, PrimitiveSetView primitives, std::size_t limit)
         : tree_(tree),
           primitives_(primitives),
-          limit_(limit),
-          is_referenced_(primitives.size(), false) {}
+          is_referenced_(primitives.size(), false),
+          findings_(limit) {}
 
     std::vector<Finding> run() {
-        if (!has_sound_shape()) return std::move(findings_);
+        if (!has_sound_shape()) return std::move(findings_).take();
         if (check_references()) check_contents();
-        return std::move(findings_);
+        return std::move(findings_).take();
     }
 
 private:
-    template <typename... Args>
-    void report(FindingKind kind, std::uint64_t subject, fmt::format_string<Args...> format,
-                Args&&... args) {
-        if (findings_.size() >= limit_) return;
-        findings_.push_back({kind, subject, fmt::format(format, std::forward<Args>(args)...)});
-    }
-
     // Children in range, after their parents, each of one parent, none too deep; so that walks end.
     bool has_sound_shape() {
         const auto nodes = tree_.nodes();
@@ -63,17 +56,20 @@ private:
         std::vector<int> depths(nodes.size(), 0);  // of children, set before they are met
         for (std::size_t i = 0; i < nodes.size(); ++i) {
             if (depths[i] > KdTree::max_depth) {
-                report(FindingKind::too_deep, i, "node {} is {} levels deep, more than {}", i,
-                       depths[i], KdTree::max_depth);
+                findings_.report(FindingKind::too_deep, i,
+                                 "node {} is {} levels deep, more than {}", i, depths[i],
+                                 KdTree::max_depth);
                 return false;  // one tells it all
             }
             if (nodes[i].is_leaf()) continue;
             const std::size_t child = nodes[i].lower_child();
             if (child <= i || child + 1 >= nodes.size()) {
-                report(FindingKind::bad_child, i, "node {} has children {} and {} of {} nodes", i,
-                       child, child + 1, nodes.size());
+                findings_.report(FindingKind::bad_child, i,
+                                 "node {} has children {} and {} of {} nodes", i, child, child + 1,
+                                 nodes.size());
             } else if (is_child[child] || is_child[child + 1]) {
-                report(FindingKind::bad_child, i, "node {} shares a child with another node", i);
+                findings_.report(FindingKind::bad_child, i,
+                                 "node {} shares a child with another node", i);
             } else {
                 is_child[child] = is_child[child + 1] = true;
                 depths[child] = depths[child + 1] = depths[i] + 1;
@@ -81,10 +77,10 @@ private:
         }
         for (std::size_t i = 1; i < nodes.size(); ++i) {
             if (!is_child[i]) {
-                report(FindingKind::unreachable_node, i, "node {} is nobody's child", i);
+                findings_.report(FindingKind::unreachable_node, i, "node {} is nobody's child", i);
             }
         }
-        return findings_.empty();
+        return findings_.is_empty();
     }
 
     // Every leaf has its own range of existing, ascending ids, and the ranges cover the array.
@@ -100,8 +96,8 @@ private:
             if (end > count || std::find(owned + static_cast<std::ptrdiff_t>(first),
                                          owned + static_cast<std::ptrdiff_t>(end),
                                          true) != owned + static_cast<std::ptrdiff_t>(end)) {
-                report(FindingKind::bad_range, i, "leaf {} has references {} to {} of {}", i, first,
-                       end, count);
+                findings_.report(FindingKind::bad_range, i, "leaf {} has references {} to {} of {}",
+                                 i, first, end, count);
                 continue;
             }
             std::fill(owned + static_cast<std::ptrdiff_t>(first),
@@ -111,23 +107,25 @@ private:
         const auto unowned = std::find(is_owned.begin(), is_owned.end(), false);
         if (unowned != is_owned.end()) {
             const auto at = static_cast<std::uint64_t>(unowned - is_owned.begin());
-            report(FindingKind::unreachable_reference, at, "reference {} is in no leaf", at);
+            findings_.report(FindingKind::unreachable_reference, at, "reference {} is in no leaf",
+                             at);
         }
-        return findings_.empty();
+        return findings_.is_empty();
     }
 
     void check_ids(std::size_t index, const KdNode& leaf) {
         const auto ids = tree_.references(leaf);
         for (std::size_t k = 0; k < ids.size(); ++k) {
             if (ids[k] >= primitives_.size()) {
-                report(FindingKind::bad_reference, index, "leaf {} refers to {} of {} primitives",
-                       index, ids[k], primitives_.size());
+                findings_.report(FindingKind::bad_reference, index,
+                                 "leaf {} refers to {} of {} primitives", index, ids[k],
+                                 primitives_.size());
             } else {
                 is_referenced_[ids[k]] = true;
             }
             if (k > 0 && ids[k - 1] >= ids[k]) {
-                report(FindingKind::unsorted_references, index, "leaf {} has {} before {}", index,
-                       ids[k - 1], ids[k]);
+                findings_.report(FindingKind::unsorted_references, index,
+                                 "leaf {} has {} before {}", index, ids[k - 1], ids[k]);
             }
         }
     }
@@ -137,11 +135,12 @@ private:
         for (std::uint32_t id = 0; id < primitives_.size(); ++id) {
             all[id] = id;
             if (!is_referenced_[id]) {
-                report(FindingKind::lost_primitive, id, "primitive {} is in no leaf", id);
+                findings_.report(FindingKind::lost_primitive, id, "primitive {} is in no leaf", id);
             }
             const Aabb box = primitives_.bounds(id);
             if (intersection(box, tree_.bounds()) != box) {
-                report(FindingKind::bounds_too_small, id, "primitive {} leaves the tree's box", id);
+                findings_.report(FindingKind::bounds_too_small, id,
+                                 "primitive {} leaves the tree's box", id);
             }
         }
         descend({0, tree_.bounds(), tree_.bounds()}, std::move(all));
@@ -149,7 +148,7 @@ private:
 
     // `candidates`: the primitives whose boxes reach inside the node.
     void descend(const Place& at, std::vector<std::uint32_t> candidates) {
-        if (findings_.size() >= limit_) return;
+        if (findings_.is_full()) return;
         const KdNode& node = tree_.nodes()[at.index];
         if (node.is_leaf()) {
             check_leaf(at, candidates);
@@ -158,8 +157,9 @@ private:
         const Plane plane = node.plane();
         if (!(plane.position > at.box.lower[plane.axis] &&
               plane.position < at.box.upper[plane.axis])) {
-            report(FindingKind::plane_outside, at.index, "node {} is split at {}, outside [{}, {}]",
-                   at.index, plane.position, at.box.lower[plane.axis], at.box.upper[plane.axis]);
+            findings_.report(FindingKind::plane_outside, at.index,
+                             "node {} is split at {}, outside [{}, {}]", at.index, plane.position,
+                             at.box.lower[plane.axis], at.box.upper[plane.axis]);
             return;
         }
         const float tolerance = tolerance_at(at.box, plane);
@@ -189,22 +189,22 @@ private:
             if (at.inside.is_empty() || primitives_.clipped_bounds(id, at.inside).is_empty()) {
                 continue;
             }
-            report(FindingKind::missing_reference, at.index, "leaf {} lacks primitive {}", at.index,
-                   id);
+            findings_.report(FindingKind::missing_reference, at.index, "leaf {} lacks primitive {}",
+                             at.index, id);
         }
         for (const std::uint32_t id : ids) {
             if (!primitives_.bounds(id).overlaps(at.box)) {
-                report(FindingKind::stray_reference, at.index,
-                       "leaf {} refers to primitive {}, which is not in its box", at.index, id);
+                findings_.report(FindingKind::stray_reference, at.index,
+                                 "leaf {} refers to primitive {}, which is not in its box",
+                                 at.index, id);
             }
         }
     }
 
     const KdTree& tree_;
     PrimitiveSetView primitives_;
-    std::size_t limit_;
     std::vector<bool> is_referenced_;
-    std::vector<Finding> findings_;
+    FindingList findings_;
 };
 
 }  // namespace

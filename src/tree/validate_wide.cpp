@@ -5,7 +5,7 @@
 
 #include "coppice/tree/validate.h"
 
-#include <fmt/format.h>
+#include "tree/finding_list.h"
 
 #include <algorithm>
 #include <array>
@@ -44,10 +44,10 @@ public:
     WideValidator(const WideBvh& tree, TriangleMeshView mesh, std::size_t limit)
         : tree_(tree),
           mesh_(mesh),
-          limit_(limit),
           is_node_met_(tree.nodes().size(), false),
           is_block_met_(tree.blocks().size(), false),
-          found_points_(mesh.size(), 0) {}
+          found_points_(mesh.size(), 0),
+          findings_(limit) {}
 
     std::vector<Finding> run() {
         is_node_met_[0] = true;
@@ -56,31 +56,25 @@ public:
         report_unmet(is_block_met_, FindingKind::unreachable_reference, "block");
         for (std::uint32_t id = 0; id < mesh_.size(); ++id) {
             if (found_points_[id] == (1U << point_count) - 1) continue;
-            report(FindingKind::lost_primitive, id, "{} of 6 points of triangle {} are in no leaf",
-                   static_cast<int>(point_count) - std::popcount(found_points_[id]), id);
+            findings_.report(FindingKind::lost_primitive, id,
+                             "{} of 6 points of triangle {} are in no leaf",
+                             static_cast<int>(point_count) - std::popcount(found_points_[id]), id);
         }
-        return std::move(findings_);
+        return std::move(findings_).take();
     }
 
 private:
-    template <typename... Args>
-    void report(FindingKind kind, std::uint64_t subject, fmt::format_string<Args...> format,
-                Args&&... args) {
-        if (findings_.size() >= limit_) return;
-        findings_.push_back({kind, subject, fmt::format(format, std::forward<Args>(args)...)});
-    }
-
     void report_unmet(const std::vector<bool>& is_met, FindingKind kind, std::string_view what) {
         const auto unmet = std::find(is_met.begin(), is_met.end(), false);
         if (unmet == is_met.end()) return;
         const auto at = static_cast<std::uint64_t>(unmet - is_met.begin());
-        report(kind, at, "{} {} hangs nowhere", what, at);
+        findings_.report(kind, at, "{} {} hangs nowhere", what, at);
     }
 
     void visit(std::uint32_t index, const Aabb& box, int depth) {
         if (depth > WideBvh::max_depth) {
-            report(FindingKind::too_deep, index, "node {} is more than {} levels deep", index,
-                   WideBvh::max_depth);
+            findings_.report(FindingKind::too_deep, index, "node {} is more than {} levels deep",
+                             index, WideBvh::max_depth);
             return;
         }
         const WideNode& node = tree_.nodes()[index];
@@ -89,15 +83,16 @@ private:
             if (child.is_empty()) continue;
             const Aabb child_box = node.child_box(slot);
             if (child_box.is_empty() || intersection(child_box, box) != child_box) {
-                report(FindingKind::box_outside, index, "child {} of node {} leaves its box", slot,
-                       index);
+                findings_.report(FindingKind::box_outside, index,
+                                 "child {} of node {} leaves its box", slot, index);
             }
             if (child.is_leaf()) {
                 check_leaf(index, child, padded(child_box));
             } else if (child.node() <= index || child.node() >= tree_.nodes().size() ||
                        is_node_met_[child.node()]) {
-                report(FindingKind::bad_child, index, "node {} has the child {} of {} nodes", index,
-                       child.node(), tree_.nodes().size());
+                findings_.report(FindingKind::bad_child, index,
+                                 "node {} has the child {} of {} nodes", index, child.node(),
+                                 tree_.nodes().size());
             } else {
                 is_node_met_[child.node()] = true;
                 visit(child.node(), child_box, depth + 1);
@@ -108,13 +103,14 @@ private:
     void check_leaf(std::uint32_t node, WideChild leaf, const Aabb& box) {
         const std::uint64_t end = std::uint64_t{leaf.first_block()} + leaf.block_count();
         if (end > tree_.blocks().size()) {
-            report(FindingKind::bad_range, node, "a leaf of node {} has blocks {} to {} of {}",
-                   node, leaf.first_block(), end, tree_.blocks().size());
+            findings_.report(FindingKind::bad_range, node,
+                             "a leaf of node {} has blocks {} to {} of {}", node,
+                             leaf.first_block(), end, tree_.blocks().size());
             return;
         }
         for (std::uint32_t at = leaf.first_block(); at < end; ++at) {
             if (is_block_met_[at]) {
-                report(FindingKind::bad_range, node, "block {} is in two leaves", at);
+                findings_.report(FindingKind::bad_range, node, "block {} is in two leaves", at);
             }
             is_block_met_[at] = true;
             check_block(at, box);
@@ -127,13 +123,13 @@ private:
             const std::uint32_t id = block.id[lane];
             if (id == TriangleBlock::no_triangle) continue;
             if (id >= mesh_.size()) {
-                report(FindingKind::bad_reference, at, "block {} refers to {} of {} triangles", at,
-                       id, mesh_.size());
+                findings_.report(FindingKind::bad_reference, at,
+                                 "block {} refers to {} of {} triangles", at, id, mesh_.size());
                 continue;
             }
             if (block.triangle(lane) != mesh_.triangle(id)) {
-                report(FindingKind::wrong_corners, at,
-                       "block {} has other corners than triangle {}", at, id);
+                findings_.report(FindingKind::wrong_corners, at,
+                                 "block {} has other corners than triangle {}", at, id);
             }
             const auto points = points_of(mesh_.triangle(id));
             for (std::size_t point = 0; point < point_count; ++point) {
@@ -144,11 +140,10 @@ private:
 
     const WideBvh& tree_;
     TriangleMeshView mesh_;
-    std::size_t limit_;
     std::vector<bool> is_node_met_;
     std::vector<bool> is_block_met_;
     std::vector<unsigned> found_points_;  // a bit for each
-    std::vector<Finding> findings_;
+    FindingList findings_;
 };
 
 }  // namespace

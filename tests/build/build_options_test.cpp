@@ -40,6 +40,8 @@ TEST(CheckBuildOptions, AcceptsItsRanges) {
 TEST(CheckBuildOptions, NamesWhatIsOutside) {
     EXPECT_EQ(error_of({.sample = {.rate = 1.5}}), "sample rate 1.5 is outside (0, 1]");
     EXPECT_THAT(error_of({.sample = {.rate = std::nan("")}}), StartsWith("sample rate nan"));
+    EXPECT_EQ(error_of({.sample = {.uniform_share = -0.5}}),
+              "uniform share -0.5 is outside [0, 1]");
     EXPECT_EQ(error_of({.split = {.max_depth = -1}}), "max depth -1 is outside [0, 60]");
     EXPECT_EQ(error_of({.split = {.max_depth = 61}}), "max depth 61 is outside [0, 60]");
     EXPECT_EQ(error_of({.split = {.max_leaf = 0}}), "max leaf 0 is outside [1, 2^32)");
@@ -60,22 +62,26 @@ TEST(CheckBuildOptions, NamesWhatExists) {
 }
 
 TEST(BuildOptions, AreSerializedUnderTheirNames) {
-    const BuildOptions options{.sample = {.rate = 0.25, .sampler = "uniform", .seed = 7},
-                               .split = {.rule = "median",
-                                         .max_depth = 20,
-                                         .max_leaf = 4,
-                                         .bad_refines = 2,
-                                         .clipping = Clipping::bounding_box,
-                                         .counting = Counting::expected,
-                                         .stop = Stop::sah,
-                                         .min_split = 3,
-                                         .max_duplication = 8},
-                               .growth = Growth::none,
-                               .cost = {.traversal = 15, .intersection = 20, .empty_bonus = 0.2},
-                               .wide = {.preset = WidePreset::quality},
-                               .threads = 2};
+    const BuildOptions options{
+        .sample = {.rate = 0.25, .sampler = "uniform", .seed = 7, .uniform_share = 0.5},
+        .split = {.rule = "median",
+                  .max_depth = 20,
+                  .max_leaf = 4,
+                  .bad_refines = 2,
+                  .clipping = Clipping::bounding_box,
+                  .counting = Counting::expected,
+                  .stop = Stop::sah,
+                  .min_split = 3,
+                  .max_duplication = 8},
+        .growth = Growth::none,
+        .cost = {.traversal = 15, .intersection = 20, .empty_bonus = 0.2},
+        .wide = {.preset = WidePreset::quality,
+                 .expected_rays = 1e8,
+                 .cell_size = 1024,
+                 .sampled_from = 5000},
+        .threads = 2};
     const nlohmann::json expected = {
-        {"sample", {{"rate", 0.25}, {"sampler", "uniform"}, {"seed", 7}}},
+        {"sample", {{"rate", 0.25}, {"sampler", "uniform"}, {"seed", 7}, {"uniform_share", 0.5}}},
         {"split",
          {{"rule", "median"},
           {"max_depth", 20},
@@ -88,7 +94,11 @@ TEST(BuildOptions, AreSerializedUnderTheirNames) {
           {"max_duplication", 8}}},
         {"growth", "none"},
         {"cost", {{"traversal", 15.0}, {"intersection", 20.0}, {"empty_bonus", 0.2}}},
-        {"wide", {{"preset", "quality"}}},
+        {"wide",
+         {{"preset", "quality"},
+          {"expected_rays", 1e8},
+          {"cell_size", 1024},
+          {"sampled_from", 5000}}},
         {"threads", 2}};
     EXPECT_EQ(nlohmann::json(options), expected);
 }

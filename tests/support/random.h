@@ -51,9 +51,4 @@ private:
     std::uint64_t counter_ = 0;
 };
 
-/// The nearest vector of floats.
-[[nodiscard]] inline Vec3f to_float(Vec3d v) noexcept {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
 }  // namespace coppice::test

@@ -41,10 +41,6 @@ private:
     std::uint64_t counter_ = 0;
 };
 
-Vec3f to_float(Vec3d v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
 std::uint32_t next_vertex(const TriangleMesh& mesh) {
     return static_cast<std::uint32_t>(mesh.vertices.size());
 }

@@ -27,10 +27,6 @@ double length(Vec3d v) {
     return std::sqrt(dot(v, v));
 }
 
-Vec3f to_float(Vec3d v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
 SurfacePoint surface_point(TriangleMeshView mesh, const Ray& ray, const Hit& hit) {
     const Triangle triangle = mesh.triangle(hit.prim);
     const Vec3d a = to_double(triangle[0]);

@@ -38,10 +38,6 @@ Vec3d normalized(Vec3d v) {
     return (1.0 / length(scaled)) * scaled;
 }
 
-Vec3f to_float(Vec3d v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
 View view_along(Vec3d direction, Vec3d up) {
     const Vec3d forward = normalized(direction);
     const Vec3d right = normalized(cross(forward, up));

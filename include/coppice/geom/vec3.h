@@ -48,6 +48,11 @@ using Vec3d = Vec3<double>;
     return {v.x, v.y, v.z};
 }
 
+/// The nearest vector in single precision.
+[[nodiscard]] constexpr Vec3f to_float(Vec3d v) noexcept {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
 template <typename T>
 [[nodiscard]] constexpr T dot(Vec3<T> a, Vec3<T> b) noexcept {
     return a.x * b.x + a.y * b.y + a.z * b.z;

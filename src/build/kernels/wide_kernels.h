@@ -16,6 +16,11 @@ namespace coppice::wide {
 
 inline constexpr std::size_t max_bin_count = 16;
 
+/// The bin of a place counted in bins from the first one; the last for NaN.
+[[nodiscard]] constexpr std::uint32_t bin_at(float place, float last_bin) noexcept {
+    return static_cast<std::uint32_t>(place < last_bin ? place : last_bin);
+}
+
 /// Which bin a reference falls into on each axis, by the sum lower + upper of its box (twice its
 /// centroid: halving it would change nothing). A scale of 0 puts all into bin 0.
 struct BinMapping {
@@ -23,16 +28,18 @@ struct BinMapping {
     std::array<float, 3> scale;
     std::uint32_t bin_count;
 
+    /// The bin of a reference on an axis.
+    [[nodiscard]] std::uint32_t bin_of(const Reference& reference,
+                                       std::size_t axis) const noexcept {
+        const float sum = reference.upper[axis] - reference.negated_lower[axis];
+        return bin_at((sum - origin[axis]) * scale[axis], static_cast<float>(bin_count - 1));
+    }
+
     /// The place where bin `bin` begins on an axis.
     [[nodiscard]] float begin_of(std::size_t axis, std::uint32_t bin) const noexcept {
         return origin[axis] + static_cast<float>(bin) / scale[axis];
     }
 };
-
-/// The bin of a place counted in bins from the first one; the last for NaN.
-[[nodiscard]] constexpr std::uint32_t bin_at(float place, float last_bin) noexcept {
-    return static_cast<std::uint32_t>(place < last_bin ? place : last_bin);
-}
 
 /// The boxes and summed weights of the references in each bin.
 struct alignas(32) Bins {

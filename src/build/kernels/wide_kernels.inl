@@ -163,17 +163,13 @@ ObjectSplit find_split(const Bins& bins, std::uint32_t bin_count,
 
 void partition(std::span<const Reference> references, const Border& border,
                Sides<Reference*> out, Sides<Box8>& centroids) noexcept {
-    const float origin = border.mapping.origin[border.axis];
-    const float scale = border.mapping.scale[border.axis];
-    const auto last_bin = static_cast<float>(border.mapping.bin_count - 1);
     std::array<Reference*, 2> next{out.lower, out.upper};
     Lanes lower_range = load(centroids.lower.lane.data());
     Lanes upper_range = load(centroids.upper.lane.data());
     for (const Reference& reference : references) {
         const Lanes lanes = load(lanes_of(reference));
-        const float sum = reference.upper[border.axis] - reference.negated_lower[border.axis];
-        const float place = (sum - origin) * scale;
-        const std::size_t side = bin_at(place, last_bin) >= border.bin ? 1 : 0;
+        const bool is_upper = border.mapping.bin_of(reference, border.axis) >= border.bin;
+        const std::size_t side = is_upper ? 1 : 0;
         store(lanes, next[side]->negated_lower.data());
         ++next[side];
         const Lanes centroid = centroid_of(lanes);

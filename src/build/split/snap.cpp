@@ -1,6 +1,5 @@
 // Collects the fragment ends in the bins around a boundary and sweeps them, the counts before them
-// known from the bins. Where they are very many, bins within the window narrow it down first.
-// Cost: O(n), and a sort of few thousand events.
+// known from the bins. Cost: O(n), and a sort of the events in the two bins.
 
 #include "build/split/snap.h"
 

@@ -46,12 +46,9 @@ std::size_t chunk_count(std::size_t size) {
 
 std::uint32_t count_lower(std::span<const Reference> references, const ObjectSplit& split,
                           const BinMapping& mapping) {
-    const auto last_bin = static_cast<float>(mapping.bin_count - 1);
     std::uint32_t count = 0;
     for (const Reference& reference : references) {
-        const float sum = reference.upper[split.axis] - reference.negated_lower[split.axis];
-        const float place = (sum - mapping.origin[split.axis]) * mapping.scale[split.axis];
-        count += bin_at(place, last_bin) < split.bin ? 1U : 0U;
+        count += mapping.bin_of(reference, split.axis) < split.bin ? 1U : 0U;
     }
     return count;
 }
