@@ -41,9 +41,7 @@ void add_method(CLI::App& parser, MethodRequest& request, const std::string& see
     parser
         .add_option_function<std::string>(
             "--sample",
-            [&request](const std::string& given) {
-                request.rate = parse_share("--sample", given);
-            },
+            [&request](const std::string& given) { request.rate = parse_share("--sample", given); },
             "Share of the primitives that is sampled: 1% or 0.01")
         ->type_name("SHARE")
         ->default_str("the method's");

@@ -156,6 +156,7 @@ private:
 // Counts nothing, at no cost.
 struct NoCounts {
     static void add_node() noexcept {}
+
     static void add_leaf(std::size_t /*primitive_count*/) noexcept {}
 };
 
@@ -175,7 +176,12 @@ class Traversal {
 public:
     Traversal(const KdTree& tree, TriangleMeshView mesh, const Ray& ray, Query& query,
               Counts counts) noexcept
-        : tree_(tree), mesh_(mesh), ray_(ray), planes_(ray), test_(ray), query_(query),
+        : tree_(tree),
+          mesh_(mesh),
+          ray_(ray),
+          planes_(ray),
+          test_(ray),
+          query_(query),
           counts_(counts) {}
 
     void run() noexcept {

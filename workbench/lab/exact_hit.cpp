@@ -59,8 +59,7 @@ bool may_meet(const Ray& ray, const Triangle& triangle) noexcept {
     const double ab = dot(direction, cross(a, b));
     const double bc = dot(direction, cross(b, c));
     const double ca = dot(direction, cross(c, a));
-    const bool is_outside =
-        std::min({ab, bc, ca}) < -error && std::max({ab, bc, ca}) > error;
+    const bool is_outside = std::min({ab, bc, ca}) < -error && std::max({ab, bc, ca}) > error;
     return !is_outside;
 }
 

@@ -48,7 +48,8 @@ double enter_box(const Ray& ray, const Aabb& box) {
 }
 
 void add_leaf(const WideBvh& tree, WideChild leaf, const Ray& ray, std::vector<Candidate>& found) {
-    for (const TriangleBlock& block : tree.blocks().subspan(leaf.first_block(), leaf.block_count())) {
+    for (const TriangleBlock& block :
+         tree.blocks().subspan(leaf.first_block(), leaf.block_count())) {
         for (std::size_t lane = 0; lane < wide_width; ++lane) {
             if (block.id[lane] == TriangleBlock::no_triangle) break;
             const double enter = enter_box(ray, triangle_bounds(block.triangle(lane)));

@@ -44,13 +44,14 @@ Json answer_json(const Hit& hit, RayKind kind, bool is_right) {
 
 Json difference_json(const TraceDifference& difference, RayKind kind) {
     const Ray& ray = difference.ray;
-    Json json{{"index", difference.index},
-              {"origin", vector_json(ray.origin)},
-              {"direction", vector_json(ray.direction)},
-              {"t_min", limit_json(ray.t_min)},
-              {"t_max", limit_json(ray.t_max)},
-              {"ours", answer_json(difference.ours, kind, difference.is_ours_right)},
-              {"reference", answer_json(difference.reference, kind, difference.is_reference_right)}};
+    Json json{
+        {"index", difference.index},
+        {"origin", vector_json(ray.origin)},
+        {"direction", vector_json(ray.direction)},
+        {"t_min", limit_json(ray.t_min)},
+        {"t_max", limit_json(ray.t_max)},
+        {"ours", answer_json(difference.ours, kind, difference.is_ours_right)},
+        {"reference", answer_json(difference.reference, kind, difference.is_reference_right)}};
     json["exact"] = {{"hit", difference.exact.has_value()}};
     if (difference.exact) {
         json["exact"]["prim"] = difference.exact->prim;
@@ -104,12 +105,9 @@ Json scene_json(const TraceScene& scene) {
 }
 
 Json options_json(const TraceOptions& options) {
-    Json json{{"method", options.method},
-              {"check", name_of(options.check)},
-              {"count", options.counts},
-              {"size", options.size},
-              {"seed", options.seed},
-              {"rays", Json::array()}};
+    Json json{{"method", options.method}, {"check", name_of(options.check)},
+              {"count", options.counts},  {"size", options.size},
+              {"seed", options.seed},     {"rays", Json::array()}};
     for (const RayKind kind : options.rays) {
         json["rays"].push_back(name_of_kind(kind));
     }

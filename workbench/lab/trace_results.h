@@ -47,9 +47,9 @@ struct TraceDifference {
 
 /// How our hits compare with a reference's.
 struct TraceComparison {
-    std::uint64_t ties = 0;      ///< the same t by 1e-5 of it, but another triangle
-    std::uint64_t hit_miss = 0;  ///< one hits, the other does not
-    std::uint64_t distance = 0;  ///< t differs by more
+    std::uint64_t ties = 0;             ///< the same t by 1e-5 of it, but another triangle
+    std::uint64_t hit_miss = 0;         ///< one hits, the other does not
+    std::uint64_t distance = 0;         ///< t differs by more
     std::uint64_t ours_right = 0;       ///< of those of the last two kinds
     std::uint64_t reference_right = 0;  ///< likewise; both may be, where t differs by little more
     std::uint64_t ours_wrong = 0;       ///< what must be 0

@@ -157,8 +157,8 @@ private:
 
     std::size_t look(int size) {
         seen_rays_ = primary_rays(scene_.camera, size);
-        seen_hits_ = trace(*tree_, RayKind::primary, seen_rays_,
-                           std::vector<Hit>(seen_rays_.size()));
+        seen_hits_ =
+            trace(*tree_, RayKind::primary, seen_rays_, std::vector<Hit>(seen_rays_.size()));
         return static_cast<std::size_t>(
             std::count_if(seen_hits_.begin(), seen_hits_.end(),
                           [](const Hit& hit) { return std::isfinite(hit.t); }));
@@ -184,11 +184,13 @@ TriangleMesh load_scene(const Run& run, const TraceScene& scene) {
 }
 
 void check(const TraceOptions& options) {
-    static_cast<void>(find_method(options.method));
+    const Method& method = find_method(options.method);
+    if (options.counts && method.tree == TreeKind::wide) {
+        throw Error(ErrorCode::unsupported, "only k-d trees are counted: choose another method");
+    }
     if (options.size < 1 || options.size > TraceOptions::max_size) {
-        throw Error(ErrorCode::invalid_argument,
-                    fmt::format("size {} is outside [1, {}]", options.size,
-                                TraceOptions::max_size));
+        throw Error(ErrorCode::invalid_argument, fmt::format("size {} is outside [1, {}]",
+                                                             options.size, TraceOptions::max_size));
     }
     HitCheck::require(options.check);
 }

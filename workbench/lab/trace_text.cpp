@@ -82,9 +82,8 @@ std::string difference_text(const TraceDifference& difference, RayKind kind,
 std::string comparison_table(const TraceOptions& options, const TraceScene& scene) {
     const std::string reference = std::string(name_of(options.check));
     constexpr const char* line = "{:<10} {:>8} {:>9} {:>9} {:>11} {:>12} {:>11}\n";
-    std::string text =
-        '\n' + fmt::format(line, "compared", "ties", "hit/miss", "distance", "ours right",
-                           reference + " right", "ours wrong");
+    std::string text = '\n' + fmt::format(line, "compared", "ties", "hit/miss", "distance",
+                                          "ours right", reference + " right", "ours wrong");
     for (const TraceRow& row : scene.rows) {
         if (!row.comparison) continue;
         const TraceComparison& with = *row.comparison;
@@ -106,10 +105,10 @@ std::string comparison_table(const TraceOptions& options, const TraceScene& scen
 }  // namespace
 
 std::string trace_text(const TraceOptions& options, const TraceScene& scene) {
-    std::string text = fmt::format("{}: {} triangles; {} built in {:.3g} s; seen from {} towards {}\n",
-                                   scene.scene, scene.triangles, options.method,
-                                   scene.build_seconds, point_text(scene.camera.eye),
-                                   point_text(scene.camera.look_at));
+    std::string text =
+        fmt::format("{}: {} triangles; {} built in {:.3g} s; seen from {} towards {}\n",
+                    scene.scene, scene.triangles, options.method, scene.build_seconds,
+                    point_text(scene.camera.eye), point_text(scene.camera.look_at));
     text += speed_table(scene);
     if (options.counts) text += count_table(scene);
     if (options.check != TraceCheck::none) text += comparison_table(options, scene);

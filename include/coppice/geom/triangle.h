@@ -26,8 +26,10 @@ using Triangle = std::array<Vec3f, 3>;
 [[nodiscard]] Aabb clipped_triangle_bounds(const Triangle& triangle, const Aabb& box) noexcept;
 
 /// A traceable ray made ready to be tested against many triangles, both sides, edges and corners
-/// included. Watertight: two triangles that share an edge leave no gap between them.
-/// Source: [Woop2013], evaluated in double precision.
+/// included. What is hit is decided as by exact arithmetic, so two triangles that share an edge
+/// leave no gap between them; a triangle is not hit by a ray in its plane.
+/// Source: [Woop2013], evaluated in double precision and, where that leaves it open, without
+/// rounding.
 class TriangleTest {
 public:
     /// The ray must be one that is_traceable(); its t_max is ignored.
@@ -38,9 +40,22 @@ public:
                                                 float t_max) const noexcept;
 
 private:
+    using Corners = std::array<Vec3d, 3>;
+    using Weights = std::array<double, 3>;
+
+    // Of a triangle in the ray's frame: the most of any corner across and along the ray.
+    struct Extent {
+        double width;
+        double depth;
+    };
+
     [[nodiscard]] Vec3d to_frame(Vec3f corner) const noexcept;
+    [[nodiscard]] Weights precise_weights(const Triangle& triangle) const noexcept;
+    [[nodiscard]] double distance(const Corners& corner, const Weights& weight, Extent extent,
+                                  const Triangle& triangle) const noexcept;
 
     Vec3d origin_;
+    Vec3d direction_;
     float t_min_;
     // The ray's axes, longest component last, wound so that a triangle's orientation is kept.
     std::size_t x_ = 0;
