@@ -4,6 +4,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdint>
+#include <limits>
+#include <optional>
 #include <string>
 
 namespace coppice::app {
@@ -19,5 +22,23 @@ CLI::Option* add_sampler(CLI::App& parser, std::string& sampler);
 
 /// --threads.
 void add_threads(CLI::App& parser, int& threads);
+
+/// A method, and what is to be different from it.
+struct MethodRequest {
+    static constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
+
+    std::string method = "auto";
+    std::optional<double> rate;
+    std::string sampler;
+    std::uint64_t seed = 1;
+    SahCostModel cost{not_given, not_given, not_given};
+    int threads = 0;
+};
+
+/// All options above, and --method, --sample and --seed, which `seed_meaning` is shown for.
+void add_method(CLI::App& parser, MethodRequest& request, const std::string& seed_meaning);
+
+/// The options of a build that a request asks for: the method's own where nothing is given.
+[[nodiscard]] BuildOptions options_of(const MethodRequest& request);
 
 }  // namespace coppice::app

@@ -4,19 +4,19 @@
 
 #include "command.h"
 #include "interrupts.h"
+#include "json_file.h"
 #include "lab/bench.h"
 #include "lab/contestant.h"
 #include "lab/named.h"
-#include "lab/output_folder.h"
 #include "lab/progress_line.h"
 #include "options.h"
+#include "view_arguments.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 
 namespace coppice::app {
@@ -70,10 +70,10 @@ void add_how(CLI::App& parser, lab::BenchOptions& options) {
               1, lab::BenchOptions::max_runs);
     add_list_option(
         parser,
-        {"--rays", "LIST", "Kinds of rays: " + lab::names_of(lab::ray_kind_registry()),
+        {"--rays", "LIST", "Kinds of rays: " + lab::names_of(lab::rendering_ray_kinds()),
          "primary,shadow,diffuse"},
         [&options](const std::vector<std::string>& texts) {
-            const auto registry = lab::ray_kind_registry();
+            const auto registry = lab::rendering_ray_kinds();
             options.rays.clear();
             for (const std::string& name : parse_list("--rays", texts, "primary,diffuse")) {
                 require_name("--rays", name, names_in(registry));
@@ -85,38 +85,15 @@ void add_how(CLI::App& parser, lab::BenchOptions& options) {
 void add_view(CLI::App& parser, lab::BenchOptions& options) {
     add_whole(parser, {"--size", "N", "Pixels of the image, each way", "1024"}, options.size, 1,
               lab::BenchOptions::max_size);
-    add_vector(parser, {"--eye", "X,Y,Z", "Where the camera is", "all in view"},
-               options.camera.eye);
-    add_vector(parser, {"--look-at", "X,Y,Z", "What it looks at", "the middle"},
-               options.camera.look_at);
-    add_vector(parser, {"--up", "X,Y,Z", "What is up in the image", "y, of flat scenes z"},
-               options.camera.up);
-    add_number(parser, {"--fov", "DEGREES", "Field of view from bottom to top", "45"},
-               options.camera.fov, {0.0, 180.0, "a number in (0, 180)", false, false});
+    add_camera(parser, options.camera);
     add_whole(parser, {"--seed", "N", "Of the bounces' directions", "1"}, options.seed, 0,
               std::numeric_limits<std::int64_t>::max());
-}
-
-std::filesystem::path folder_of(const std::filesystem::path& file) {
-    return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-}
-
-void check_output(const std::filesystem::path& file) {
-    const std::string name = file.filename().string();
-    if (name.empty()) throw UsageError("--json: no file is named; example: --json bench.json");
-    const DeferInterrupts no_trace;
-    lab::check_writable(folder_of(file), std::array{std::string_view(name)});
-}
-
-void write_output(const std::filesystem::path& file, const std::string& text) {
-    const DeferInterrupts whole_file;
-    lab::write_all(folder_of(file), std::array{lab::OutputFile{file.filename().string(), text}});
 }
 
 void run_request(Request& request, Output& output) {
     lab::BenchOptions& options = request.options;
     options.scenes.assign(request.scenes.begin(), request.scenes.end());
-    if (!request.json.empty()) check_output(request.json);
+    if (!request.json.empty()) check_json_file(request.json);
 
     lab::ProgressLine progress(stderr);
     lab::BenchObserver observer;
@@ -133,7 +110,7 @@ void run_request(Request& request, Output& output) {
         output.print(ratios);
     }
     if (request.json.empty()) return;
-    write_output(request.json, lab::bench_document(options, result).dump(2) + '\n');
+    write_json_file(request.json, lab::bench_document(options, result));
     output.print(fmt::format("written: {}\n", request.json));
 }
 

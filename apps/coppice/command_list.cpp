@@ -9,6 +9,7 @@
 #include "lab/experiment_options.h"
 #include "lab/procedural.h"
 #include "lab/protocol.h"
+#include "lab/ray_sets.h"
 #include "options.h"
 
 #include <fmt/format.h>
@@ -38,8 +39,10 @@ Section make_section(std::string key, std::string title, std::span<const Entry> 
 std::vector<Section> all_sections() {
     return {make_section("primitives", "Primitives (--primitives)", lab::primitive_kind_registry()),
             make_section("protocols", "Protocols (--protocols)", lab::protocol_registry()),
-            make_section("methods", "Methods (coppice build, coppice bench)", method_registry()),
+            make_section("methods", "Methods (coppice build, bench and trace)", method_registry()),
             make_section("peers", "Peers (coppice bench)", lab::peer_registry()),
+            make_section("rays", "Rays (coppice trace; coppice bench: the first three)",
+                         lab::ray_kind_registry()),
             make_section("splits", "Split rules (--split)", split_finder_registry()),
             make_section("samplers", "Samplers (--sampler)", sampler_registry()),
             make_section("procedural_scenes", "Procedural scenes (coppice generate)",

@@ -114,6 +114,7 @@ int run_program(int argument_count, char** argument_texts) {
     const std::vector<Command> commands{add_experiment(program, arguments),
                                         add_build(program),
                                         add_bench(program),
+                                        add_trace(program),
                                         add_info(program),
                                         add_list(program),
                                         add_generate(program)};
@@ -124,6 +125,7 @@ int run_program(int argument_count, char** argument_texts) {
         "  coppice experiment terrain.obj --out out/terrain\n"
         "  coppice build terrain.obj\n"
         "  coppice bench terrain.obj\n"
+        "  coppice trace terrain.obj --count\n"
         "  coppice experiment --help");
     try {
         program.parse(argument_count, argument_texts);
@@ -157,6 +159,8 @@ int main(int argument_count, char** arguments) {
     } catch (const app::UsageError& error) {
         app::print_message(error.what());
         return app::wrong_use;
+    } catch (const app::CheckFailed& error) {
+        app::print_message(error.what());
     } catch (const Error& error) {
         app::print_message(error.what());
     } catch (const std::bad_alloc&) {

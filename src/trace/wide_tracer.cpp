@@ -1,7 +1,7 @@
 #include "coppice/trace/wide_tracer.h"
 
 #include "trace/batch.h"
-#include "trace/count_hits.h"
+#include "trace/hit_list.h"
 #include "trace/kernels/wide_trace.h"
 
 #include <utility>
@@ -39,7 +39,7 @@ std::size_t WideTracer::intersect_all(const Ray& ray, std::span<Hit> hits,
 }
 
 std::uint64_t WideTracer::count_hits(const Ray& ray) const noexcept {
-    return trace::count_hits(
+    return count_by(
         [&](std::span<Hit> hits, const Hit* after) { return intersect_all(ray, hits, after); });
 }
 

@@ -85,68 +85,6 @@ INSTANTIATE_TEST_SUITE_P(Seed31, IntersectScene,
                                           testing::Values("sah", "median", "midpoint")),
                          scene_and_rule_name);
 
-class IntersectClosedMesh : public testing::TestWithParam<NamedScene> {};
-
-TEST_P(IntersectClosedMesh, HasNoGapSeenFromInside) {
-    const TriangleMesh mesh = GetParam().make();
-    const Aabb inner{{-0.3F, -0.3F, -0.3F}, {0.3F, 0.3F, 0.3F}};
-    for (const double rate : {1.0, 0.05}) {
-        for (const Clipping clipping : {Clipping::perfect, Clipping::bounding_box}) {
-            const KdTree tree = build_kd_tree(
-                mesh.view(), {.sample = {.rate = rate}, .split = {.clipping = clipping}});
-            Random random(17);
-            for (int i = 0; i < 10'000; ++i) {
-                const Triangle any = mesh.view().triangle(random.below(mesh.view().size()));
-                const Vec3f middle = to_float(0.5 * (to_double(any[0]) + to_double(any[1])));
-                const Vec3f from = i % 3 == 0 ? Vec3f{} : random.in_box(inner);
-                for (const Vec3f& target : {any[2], middle, to_float(random.direction())}) {
-                    const Ray ray = ray_through(from, target);
-                    ASSERT_TRUE(intersect(tree, mesh.view(), ray).has_value()) << description(ray);
-                    ASSERT_TRUE(occluded(tree, mesh.view(), ray)) << description(ray);
-                }
-            }
-        }
-    }
-}
-
-// A cube around the origin, on a grid, so that many planes hold many edges.
-TriangleMesh make_grid_cube() {
-    TriangleMesh mesh;
-    for (const Axis axis : all_axes) {
-        for (const float side : {-1.0F, 1.0F}) {
-            Vec3f origin{-1, -1, -1};
-            Vec3f u;
-            Vec3f v;
-            origin[axis] = side;
-            u[next_axis(axis)] = 0.125F;
-            v[next_axis(next_axis(axis))] = 0.125F;
-            mesh = joined(std::move(mesh), make_sheet(16, origin, u, v));
-        }
-    }
-    return mesh;
-}
-
-INSTANTIATE_TEST_SUITE_P(Seed17, IntersectClosedMesh,
-                         testing::Values(NamedScene{"sphere", [] { return make_sphere(24, 31); }},
-                                         NamedScene{"grid_cube", make_grid_cube}),
-                         scene_name);
-
-TEST(Intersect, HasNoGapAtGridEdges) {
-    const TriangleMesh mesh = make_grid_cube();
-    const KdTree tree = build_kd_tree(mesh.view(), {.sample = {.rate = 0.1}});
-    Random random(8);
-    for (int i = 0; i < 30'000; ++i) {
-        Ray ray;
-        for (const Axis axis : all_axes) {
-            ray.origin[axis] = 0.0625F * (static_cast<float>(random.below(31)) - 15.0F);
-            ray.direction[axis] = static_cast<float>(random.below(9)) - 4.0F;
-            if (ray.direction[axis] == 0.0F && random.below(2) == 0) ray.direction[axis] = -0.0F;
-        }
-        if (!is_traceable(ray)) continue;
-        ASSERT_TRUE(intersect(tree, mesh.view(), ray).has_value()) << description(ray);
-    }
-}
-
 TEST(Intersect, HitsNothingWithBadRays) {
     const TriangleMesh mesh = make_sphere(10, 10);
     const KdTree tree = build_kd_tree(mesh.view());

@@ -87,9 +87,8 @@ std::vector<Hit> all_hits(const TriangleMesh& mesh, const Ray& ray) {
             hits.back().prim = id;
         }
     }
-    std::ranges::sort(hits, [](const Hit& a, const Hit& b) {
-        return a.t != b.t ? a.t < b.t : a.prim < b.prim;
-    });
+    std::ranges::sort(
+        hits, [](const Hit& a, const Hit& b) { return a.t != b.t ? a.t < b.t : a.prim < b.prim; });
     return hits;
 }
 

@@ -25,9 +25,13 @@ using Triangle = std::array<Vec3f, 3>;
 /// Source: [WaldHavran2006] sec. 2.4 (perfect splits), [SutherlandHodgman1974].
 [[nodiscard]] Aabb clipped_triangle_bounds(const Triangle& triangle, const Aabb& box) noexcept;
 
+struct FrameExtent;
+
 /// A traceable ray made ready to be tested against many triangles, both sides, edges and corners
-/// included. Watertight: two triangles that share an edge leave no gap between them.
-/// Source: [Woop2013], evaluated in double precision.
+/// included. What is hit is decided as by exact arithmetic, so two triangles that share an edge
+/// leave no gap between them; a triangle is not hit by a ray in its plane.
+/// Source: [Woop2013], evaluated in double precision and, where that leaves it open, without
+/// rounding.
 class TriangleTest {
 public:
     /// The ray must be one that is_traceable(); its t_max is ignored.
@@ -38,9 +42,16 @@ public:
                                                 float t_max) const noexcept;
 
 private:
+    using Corners = std::array<Vec3d, 3>;
+    using Weights = std::array<double, 3>;
+
     [[nodiscard]] Vec3d to_frame(Vec3f corner) const noexcept;
+    [[nodiscard]] Weights precise_weights(const Triangle& triangle) const noexcept;
+    [[nodiscard]] double distance(const Corners& corner, const Weights& weight, FrameExtent extent,
+                                  const Triangle& triangle) const noexcept;
 
     Vec3d origin_;
+    Vec3d direction_;
     float t_min_;
     RayAxes axes_;
     double shear_x_;

@@ -98,9 +98,8 @@ inline bool decide(const TriangleBlock& block, std::size_t lane, const Ray& ray,
                        of_all(of(ray.direction, axes.y) * scale_z) * z;
 
     const ByCorner weight = of_previous(x) * of_next(y) - of_previous(y) * of_next(x);
-    const double width = greatest(larger(size_of(x), size_of(y)));
-    const double depth = greatest(size_of(z));
-    const double error = TriangleTest::weight_error(width, depth);
+    const FrameExtent extent{greatest(larger(size_of(x), size_of(y))), greatest(size_of(z))};
+    const double error = weight_error(extent);
     const auto w = to_array(weight);
     const double least = std::min(w[0], std::min(w[1], w[2]));
     const double most = std::max(w[0], std::max(w[1], w[2]));
@@ -109,7 +108,7 @@ inline bool decide(const TriangleBlock& block, std::size_t lane, const Ray& ray,
     const double sum = w[0] + w[1] + w[2];
     const double mean = (part[0] + part[1] + part[2]) / sum;
     const bool is_certain = (least > error || most < -error) &&
-                            TriangleTest::is_precise(mean, sum, range_of(z), width, depth);
+                            is_precise(mean, sum, range_of(z), extent);
     if (!is_certain) return decide_alone(block, lane, ray, t_max, hit);
 
     const auto t = static_cast<float>(mean * scale_z);

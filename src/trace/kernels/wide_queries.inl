@@ -31,8 +31,10 @@ public:
     bool consider(const TriangleBlock& block, std::size_t lane, const Sifted& sifted) noexcept {
         const bool is_certain = (sifted.certain >> lane & 1U) != 0;
         if (is_certain && sifted.first[lane] > ray_.t_max) return false;
+        // Nothing beyond the range of float is hit.
+        const float farthest = std::min(ray_.t_max, std::numeric_limits<float>::max());
         const bool is_inside =
-            sifted.first[lane] >= ray_.t_min && sifted.last[lane] <= ray_.t_max;
+            sifted.first[lane] >= ray_.t_min && sifted.last[lane] <= farthest;
         Hit hit;
         is_hit_ = (is_certain && is_inside) ||
                   decide(block, lane, ray_, sheared_.axes, ray_.t_max, hit);
@@ -118,31 +120,27 @@ public:
 
     FirstHits(const Ray& ray, const ShearedRay& sheared, std::span<Hit> hits,
               const Hit* after) noexcept
-        : ray_(ray), sheared_(sheared), hits_(hits), after_(after) {}
+        : ray_(ray), sheared_(sheared), list_(hits, after) {}
 
     [[nodiscard]] float first() const noexcept {
-        return first_of(after_ == nullptr ? ray_.t_min : std::max(ray_.t_min, after_->t));
+        return first_of(std::max(ray_.t_min, list_.first_distance()));
     }
     [[nodiscard]] float limit() const noexcept { return above(farthest()); }
 
     bool consider(const TriangleBlock& block, std::size_t lane, const Sifted& /*sifted*/) noexcept {
         Hit hit;
-        if (decide(block, lane, ray_, sheared_.axes, farthest(), hit)) {
-            insert_hit(hit, after_, hits_, count_);
-        }
+        if (decide(block, lane, ray_, sheared_.axes, farthest(), hit)) list_.insert(hit);
         return false;
     }
 
-    [[nodiscard]] std::size_t count() const noexcept { return count_; }
+    [[nodiscard]] std::size_t count() const noexcept { return list_.size(); }
 
 private:
     [[nodiscard]] float farthest() const noexcept {
-        return count_ < hits_.size() ? ray_.t_max : hits_.back().t;
+        return list_.is_full() ? list_.last_distance() : ray_.t_max;
     }
 
     const Ray& ray_;
     const ShearedRay& sheared_;
-    std::span<Hit> hits_;
-    const Hit* after_;
-    std::size_t count_ = 0;
+    HitList list_;
 };

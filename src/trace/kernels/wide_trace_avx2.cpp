@@ -3,7 +3,8 @@
 #if defined(__x86_64__)
 
 #include "base/isa.h"
-#include "trace/insert_hit.h"
+#include "geom/triangle_error.h"
+#include "trace/hit_list.h"
 
 #include <immintrin.h>
 

@@ -1,4 +1,4 @@
-#include "trace/insert_hit.h"
+#include "trace/hit_list.h"
 #include "trace/kernels/wide_trace.h"
 
 #include <algorithm>
