@@ -37,6 +37,7 @@
 #include "coppice/query/brute_force_search.h"
 #include "coppice/query/mesh_search.h"
 #include "coppice/query/neighbor.h"
+#include "coppice/query/point_search.h"
 #include "coppice/query/visitor.h"
 #include "coppice/sample/sampler.h"
 #include "coppice/scene/scene.h"

@@ -79,35 +79,29 @@ void MeshSearch::nearest(std::span<const Vec3f> points, std::span<SurfaceNeighbo
 
 void MeshSearch::nearest_k(std::span<const Vec3f> points, std::span<SurfaceNeighbor> found,
                            int threads, float max_distance) const {
-    const std::size_t k = row_length("nearest_k", points.size(), found.size());
-    for_each_query(points.size(), threads, [&](std::size_t i) {
-        const auto row = found.subspan(i * k, k);
-        const std::size_t count = nearest_k(points[i], row, max_distance);
-        std::fill(row.begin() + static_cast<std::ptrdiff_t>(count), row.end(), SurfaceNeighbor{});
-    });
+    fill_rows("nearest_k", points.size(), found, threads,
+              [&](std::size_t i, std::span<SurfaceNeighbor> row) {
+                  return nearest_k(points[i], row, max_distance);
+              });
 }
 
 void MeshSearch::within(std::span<const Vec3f> centers, float radius,
                         std::span<SurfaceNeighbor> found, std::span<std::uint32_t> counts,
                         int threads) const {
     require_room("within", centers.size(), counts.size());
-    const std::size_t room = row_length("within", centers.size(), found.size());
-    for_each_query(centers.size(), threads, [&](std::size_t i) {
-        RowWriter<SurfaceNeighbor> row(found.subspan(i * room, room));
-        for_each_within(centers[i], radius, row);
-        counts[i] = row.count();
-    });
+    write_rows("within", found, counts, threads,
+               [&](std::size_t i, Visitor<SurfaceNeighbor> visit) {
+                   for_each_within(centers[i], radius, visit);
+               });
 }
 
 void MeshSearch::overlapping(std::span<const Aabb> boxes, std::span<std::uint32_t> found,
                              std::span<std::uint32_t> counts, int threads) const {
     require_room("overlapping", boxes.size(), counts.size());
-    const std::size_t room = row_length("overlapping", boxes.size(), found.size());
-    for_each_query(boxes.size(), threads, [&](std::size_t i) {
-        RowWriter<std::uint32_t> row(found.subspan(i * room, room));
-        for_each_overlapping(boxes[i], row);
-        counts[i] = row.count();
-    });
+    write_rows("overlapping", found, counts, threads,
+               [&](std::size_t i, Visitor<std::uint32_t> visit) {
+                   for_each_overlapping(boxes[i], visit);
+               });
 }
 
 }  // namespace coppice
