@@ -8,22 +8,23 @@
 // squares in double; a bound's terms are no larger than those of any point beyond the planes, and
 // rounding keeps order, so no point is passed over that brute force would find, a tie included.
 //
-// Stack: one entry a level at most, and no leaf is deeper than KdTree::max_depth.
+// Stack: one entry a level at most, and no leaf is deeper than KdTree::max_depth; the next entry is
+// written before it is known whether it counts.
 
 constexpr std::size_t max_stack = static_cast<std::size_t>(KdTree::max_depth) + 1;
 
 using LaneDistances = std::array<double, point_lanes>;
 
 // Squared distances of eight points from `first` on.
-inline void measure_points(const SearchedPoints& points, std::size_t first, Vec3d from,
-                           LaneDistances& distances) noexcept {
+inline void measure_points(const SearchedPoints& points, std::size_t first,
+                           const std::array<double, 3>& from, LaneDistances& distances) noexcept {
     const float* x = points.x + first;
     const float* y = points.y + first;
     const float* z = points.z + first;
     for (std::size_t lane = 0; lane < point_lanes; ++lane) {
-        const double dx = static_cast<double>(x[lane]) - from.x;
-        const double dy = static_cast<double>(y[lane]) - from.y;
-        const double dz = static_cast<double>(z[lane]) - from.z;
+        const double dx = static_cast<double>(x[lane]) - from[0];
+        const double dy = static_cast<double>(y[lane]) - from[1];
+        const double dz = static_cast<double>(z[lane]) - from[2];
         distances[lane] = dx * dx + dy * dy + dz * dz;
     }
 }
@@ -68,55 +69,71 @@ template <typename Keeper>
 class Search {
 public:
     Search(const SearchedPoints& points, Vec3f from, Keeper& keeper) noexcept
-        : points_(points), from_(to_double(from)), keeper_(keeper) {}
+        : points_(points),
+          nodes_(points.tree.nodes().data()),
+          references_(points.tree.references().data()),
+          from_{from.x, from.y, from.z},
+          keeper_(keeper) {}
 
     void run() noexcept {
-        Entry at{bounds_of_root(), 0};
-        if (!(bound_of(at.squares) <= keeper_.limit())) return;
+        Entry at = make_root();
+        if (!(at.bound <= keeper_.limit())) return;
         do {
-            while (!points_.tree.nodes()[at.node].is_leaf()) {
+            while (!nodes_[at.node].is_leaf()) {
                 step_down(at);
             }
-            visit_leaf(points_.tree.nodes()[at.node]);
+            visit_leaf(nodes_[at.node]);
         } while (pop(at));
     }
 
 private:
+    using Squares = std::array<double, 3>;  // of the distances to a node, axis by axis
+
     struct Entry {
-        Vec3d squares;  // of the distances to the node, axis by axis
+        Squares squares;
+        double bound;
         std::uint32_t node;
     };
 
-    static double bound_of(Vec3d squares) noexcept { return squares.x + squares.y + squares.z; }
+    static double sum_of(const Squares& squares) noexcept {
+        return squares[0] + squares[1] + squares[2];
+    }
 
-    [[nodiscard]] Vec3d bounds_of_root() const noexcept {
+    [[nodiscard]] Entry make_root() const noexcept {
         const Aabb& box = points_.tree.bounds();
-        Vec3d squares;
+        Entry root{{}, 0.0, 0};
         for (const Axis axis : all_axes) {
-            const double outside = std::max(0.0, std::max(box.lower[axis] - from_[axis],
-                                                          from_[axis] - box.upper[axis]));
-            squares[axis] = outside * outside;
+            const double from = from_[static_cast<std::size_t>(axis)];
+            const double outside =
+                std::max(0.0, std::max(box.lower[axis] - from, from - box.upper[axis]));
+            root.squares[static_cast<std::size_t>(axis)] = outside * outside;
         }
-        return squares;
+        root.bound = sum_of(root.squares);
+        return root;
     }
 
     // The next entry that is near enough, or false.
     bool pop(Entry& at) noexcept {
         while (size_ > 0) {
-            at = stack_[--size_];
-            if (bound_of(at.squares) <= keeper_.limit()) return true;
+            if (stack_[--size_].bound > keeper_.limit()) continue;
+            at = stack_[size_];
+            return true;
         }
         return false;
     }
 
     // Goes on to the nearer child and leaves the other on the stack if it is near enough.
     void step_down(Entry& at) noexcept {
-        const KdNode& node = points_.tree.nodes()[at.node];
-        const double beyond = from_[node.axis()] - static_cast<double>(node.position());
+        const KdNode& node = nodes_[at.node];
+        const auto axis = static_cast<std::size_t>(node.axis());
+        const double beyond = from_[axis] - static_cast<double>(node.position());
         const std::uint32_t is_above = beyond > 0.0 ? 1 : 0;
-        Entry far{at.squares, node.lower_child() + (1 - is_above)};
-        far.squares[node.axis()] = beyond * beyond;
-        if (bound_of(far.squares) <= keeper_.limit()) stack_[size_++] = far;
+        Entry& far = stack_[size_];
+        far.squares = at.squares;
+        far.squares[axis] = beyond * beyond;
+        far.bound = sum_of(far.squares);
+        far.node = node.lower_child() + (1 - is_above);
+        size_ += far.bound <= keeper_.limit() ? 1 : 0;
         at.node = node.lower_child() + is_above;
     }
 
@@ -129,13 +146,15 @@ private:
             if (end - at < point_lanes) rest &= (1U << (end - at)) - 1U;
             for (; rest != 0; rest &= rest - 1) {
                 const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-                keeper_.offer({distances[lane], points_.tree.references()[at + lane]});
+                keeper_.offer({distances[lane], references_[at + lane]});
             }
         }
     }
 
     const SearchedPoints& points_;
-    Vec3d from_;
+    const KdNode* nodes_;
+    const std::uint32_t* references_;
+    Squares from_;
     Keeper& keeper_;
     std::size_t size_ = 0;
     std::array<Entry, max_stack> stack_;
