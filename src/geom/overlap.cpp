@@ -45,6 +45,9 @@ double largest_of(Vec3d v) noexcept {
 bool overlaps(const Triangle& triangle, const Aabb& box) noexcept {
     const Aabb common = intersection(box, triangle_bounds(triangle));
     if (common.is_empty()) return false;
+    for (const Vec3f& corner : triangle) {
+        if (box.contains(corner)) return true;  // most of those that overlap
+    }
     const Vec3d lower = to_double(common.lower);
     const Vec3d upper = to_double(common.upper);
     const Vec3d center = 0.5 * (lower + upper);

@@ -1,11 +1,12 @@
-// Lower bounds of squared distances, eight at a time: from a point to the boxes of a node's children
-// and to the triangles of a block. Included once for each instruction set, before mesh_search.inl.
-// Loops over the eight lanes are written so that compilers make vector code of them.
+// Lower bounds of squared distances, eight at a time: from a point to the boxes of a node's
+// children and to the triangles of a block. Included once for each instruction set, before
+// mesh_search.inl. Loops over the eight lanes are written so that compilers make vector code of
+// them.
 //
-// Everything is scaled by a power of two to coordinates of about 1, so that squares neither overflow
-// nor vanish. A bound is never more than the distance that closest_point() finds in double: all that
-// rounding can do, here and there, is taken off it or, where it is relative, put onto the limit that
-// bounds are compared with.
+// Everything is scaled by a power of two to coordinates of about 1, so that squares neither
+// overflow nor vanish. A bound is never more than the distance that closest_point() finds in
+// double: all that rounding can do, here and there, is taken off it or, where it is relative, put
+// onto the limit that bounds are compared with.
 
 using LaneFloats = std::array<float, wide_width>;
 

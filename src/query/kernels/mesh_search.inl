@@ -2,9 +2,9 @@
 // instruction set, in a namespace of its own, after mesh_bounds.inl.
 //
 // Near a point: branch and bound, nearest box first. Distances to boxes and triangles are bounded
-// from below in float, eight at a time; what remains, a triangle or two a leaf, is decided in double
-// by closest_point(). So what is found is what brute force finds, on every instruction set. A tree
-// with cells by planes has some triangles in several leaves: of those, the mention in the first
+// from below in float, eight at a time; what remains, a triangle or two a leaf, is decided in
+// double by closest_point(). So what is found is what brute force finds, on every instruction set. A
+// tree with cells by planes has some triangles in several leaves: of those, the mention in the first
 // block that the query reaches counts.
 // Source: [Roussopoulos1995] sec. 3 and 4 (there depth first with sorted branches, too).
 //
@@ -35,6 +35,28 @@ inline unsigned mask_overlapping(const WideNode& node, const Aabb& box) noexcept
         const unsigned z = (node.bound[2][lane] <= box.upper.z ? 1U : 0U) &
                            (node.bound[5][lane] >= box.lower.z ? 1U : 0U);
         mask |= (x & y & z) << lane;
+    }
+    return mask;
+}
+
+// Bit i is set if the box of triangle i overlaps a box; of lanes without a triangle it may be.
+inline unsigned mask_overlapping(const TriangleBlock& block, const Aabb& box) noexcept {
+    std::array<unsigned, wide_width> is_apart{};
+    for (const Axis axis : all_axes) {
+        const auto row = static_cast<std::size_t>(axis);
+        const float lower = box.lower[axis];
+        const float upper = box.upper[axis];
+        for (std::size_t lane = 0; lane < wide_width; ++lane) {
+            const float a = block.corner[0][row][lane];
+            const float b = block.corner[1][row][lane];
+            const float c = block.corner[2][row][lane];
+            is_apart[lane] |= larger(a, larger(b, c)) < lower ? 1U : 0U;
+            is_apart[lane] |= smaller(a, smaller(b, c)) > upper ? 1U : 0U;
+        }
+    }
+    unsigned mask = 0;
+    for (unsigned lane = 0; lane < wide_width; ++lane) {
+        mask |= (1U - is_apart[lane]) << lane;
     }
     return mask;
 }
@@ -181,7 +203,9 @@ private:
         bound_boxes(node, point_, bounds);
         const unsigned mask = mask_within(bounds, limit_);
         if (mask == 0) return false;
-        const auto entry_of = [&](std::size_t slot) { return Entry{bounds[slot], node.child[slot]}; };
+        const auto entry_of = [&](std::size_t slot) {
+            return Entry{bounds[slot], node.child[slot]};
+        };
         at = entry_of(lowest_lane(mask));
         const std::size_t first = size_;
         for (unsigned rest = mask & (mask - 1); rest != 0; rest &= rest - 1) {
@@ -266,7 +290,8 @@ void overlapping(const SearchedMesh& mesh, const Aabb& box,
     visit_leaves(mesh.tree, reached_by, [&](WideChild leaf) {
         const TriangleBlock* block = &mesh.tree.blocks()[leaf.first_block()];
         for (std::uint32_t count = leaf.block_count(); count > 0; --count, ++block) {
-            for (unsigned rest = lanes_with_triangle(*block); rest != 0; rest &= rest - 1) {
+            const unsigned near = mask_overlapping(*block, box);
+            for (unsigned rest = near & lanes_with_triangle(*block); rest != 0; rest &= rest - 1) {
                 const std::size_t lane = lowest_lane(rest);
                 const bool is_found = overlaps(block->triangle(lane), box) && is_new(*block, lane);
                 if (is_found && !visit(block->id[lane])) return false;
