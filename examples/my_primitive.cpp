@@ -78,11 +78,12 @@ void trace(const coppice::KdTree& tree, const coppice::KdNode& node, const Spher
 }  // namespace
 
 int main() {
-    std::vector<Sphere> grid;
-    for (int i = 0; i < 1000; ++i) {
-        grid.push_back({{static_cast<float>(i % 10), static_cast<float>(i / 10 % 10),
-                         static_cast<float>(i / 100)},
-                        0.25F});
+    std::vector<Sphere> grid(1000, Sphere{{}, 0.25F});
+    for (std::uint32_t i = 0; i < grid.size(); ++i) {
+        const std::uint32_t row = i / 10;
+        const std::uint32_t layer = i / 100;
+        grid[i].center = {static_cast<float>(i % 10), static_cast<float>(row % 10),
+                          static_cast<float>(layer)};
     }
     const SphereSet spheres(std::move(grid));
 

@@ -53,8 +53,9 @@ struct ClosedSurface::EdgeSide {
 };
 
 ClosedSurface::ClosedSurface(TriangleMeshView mesh) {
-    if (mesh.size() == 0)
+    if (mesh.size() == 0) {
         throw Error(ErrorCode::unsupported, "a mesh without triangles is not closed");
+    }
     weld(mesh);
     connect();
     weigh_corners();

@@ -152,6 +152,7 @@ TEST(MeshSearch, BatchesEqualSingleQueries) {
     const MeshSearch search(build_cut(mesh.view()));
     const std::vector<Vec3f> points = make_query_points(mesh.view(), 120, 4);
     std::vector<Aabb> boxes;
+    boxes.reserve(points.size());
     for (const Vec3f& point : points) {
         boxes.push_back({point, point + Vec3f{0.3F, 0.3F, 0.3F}});
     }

@@ -42,8 +42,8 @@ public:
                                           float max_distance = anywhere) const noexcept;
 
     /// The up to found.size() nearest triangles, in order. Returns how many there are.
-    std::size_t nearest_k(Vec3f point, std::span<SurfaceNeighbor> found,
-                          float max_distance = anywhere) const noexcept;
+    [[nodiscard]] std::size_t nearest_k(Vec3f point, std::span<SurfaceNeighbor> found,
+                                        float max_distance = anywhere) const noexcept;
 
     /// Calls `visit` with all triangles within a distance, each once, in no particular order.
     void for_each_within(Vec3f center, float radius, Visitor<SurfaceNeighbor> visit) const noexcept;

@@ -44,8 +44,8 @@ public:
     [[nodiscard]] Neighbor nearest(Vec3f point, float max_distance = anywhere) const noexcept;
 
     /// The up to found.size() nearest points, in order. Returns how many there are.
-    std::size_t nearest_k(Vec3f point, std::span<Neighbor> found,
-                          float max_distance = anywhere) const noexcept;
+    [[nodiscard]] std::size_t nearest_k(Vec3f point, std::span<Neighbor> found,
+                                        float max_distance = anywhere) const noexcept;
 
     /// Calls `visit` with all points within a distance, in no particular order.
     void for_each_within(Vec3f center, float radius, Visitor<Neighbor> visit) const noexcept;

@@ -12,12 +12,16 @@ namespace coppice {
 template <typename T>
 class Visitor {
 public:
-    /// Implicit by design: a query takes any callable.
+    // Implicit by design: a query takes any callable. One by value would be copied, and so would
+    // what it counts.
+    // NOLINTBEGIN(google-explicit-constructor,bugprone-forwarding-reference-overload)
     template <std::invocable<const T&> Visit>
     requires(!std::same_as<std::remove_cvref_t<Visit>, Visitor>) Visitor(Visit&& visit)
-    noexcept  // NOLINT
+    noexcept
         : visit_(const_cast<void*>(static_cast<const void*>(std::addressof(visit)))),
           call_(&call<std::remove_reference_t<Visit>>) {}
+
+    // NOLINTEND(google-explicit-constructor,bugprone-forwarding-reference-overload)
 
     /// True if the query is to go on.
     bool operator()(const T& found) const { return call_(visit_, found); }

@@ -29,8 +29,8 @@ public:
     }
 
     /// The up to found.size() nearest points, in order. Returns how many there are.
-    std::size_t nearest_k(Vec3f point, std::span<Neighbor> found,
-                          float max_distance = PointSearch::anywhere) const noexcept {
+    [[nodiscard]] std::size_t nearest_k(Vec3f point, std::span<Neighbor> found,
+                                        float max_distance = PointSearch::anywhere) const noexcept {
         return search_.nearest_k(point, found, max_distance);
     }
 

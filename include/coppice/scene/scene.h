@@ -37,8 +37,8 @@ public:
     }
 
     /// The up to found.size() nearest triangles, in order. Returns how many there are.
-    std::size_t nearest_k(Vec3f point, std::span<SurfaceNeighbor> found,
-                          float max_distance = MeshSearch::anywhere) const noexcept {
+    [[nodiscard]] std::size_t nearest_k(Vec3f point, std::span<SurfaceNeighbor> found,
+                                        float max_distance = MeshSearch::anywhere) const noexcept {
         return search_.nearest_k(point, found, max_distance);
     }
 
