@@ -2,6 +2,7 @@
 
 #include "coppice/base/error.h"
 #include "coppice/build/build_tree.h"
+#include "coppice/cost/measure.h"
 #include "coppice/query/brute_force_search.h"
 
 #include "query/query_points.h"
@@ -150,6 +151,7 @@ TEST(MeshSearch, StopsWhenTold) {
 TEST(MeshSearch, BatchesEqualSingleQueries) {
     const TriangleMesh mesh = make_soup(500, 0.2F, 3);
     const MeshSearch search(build_cut(mesh.view()));
+    EXPECT_GT(measure(search.tree(), {}).reference_count, mesh.triangles.size()) << "some twice";
     const std::vector<Vec3f> points = make_query_points(mesh.view(), 120, 4);
     std::vector<Aabb> boxes;
     boxes.reserve(points.size());
