@@ -45,6 +45,19 @@ TEST(PointScene, HasLeavesOfSomeTens) {
     EXPECT_GT(most, 31U);
 }
 
+TEST(PointScene, TakesPointsVeryFarAway) {
+    std::vector<Vec3f> points = make_terrain(100, 4).vertices;
+    points.push_back({1e30F, -1e30F, 1e25F});
+    const PointScene scene(points);
+    EXPECT_EQ(scene.build_report().options.split.rule, "median");
+    for (const KdNode& node : scene.tree().nodes()) {
+        EXPECT_TRUE(!node.is_leaf() || node.reference_count() < 512U);
+    }
+    EXPECT_EQ(scene.nearest(points[77]).prim, 77U);
+    EXPECT_EQ(scene.nearest({1e29F, 0, 0}).prim, 0U) << "equally far to a double, all but one";
+    EXPECT_EQ(PointScene(points, {}).build_report().options.split.rule, "sah");
+}
+
 TEST(PointScene, OfNothingAndOfOne) {
     EXPECT_FALSE(PointScene({}).nearest({0, 0, 0}).is_found());
     const PointScene one({{1, 2, 3}});

@@ -15,11 +15,16 @@ namespace coppice {
 class PointScene {
 public:
     /// What searches are fastest with: the thesis's tree of points as it is after the refill, from
-    /// a sample of one in 32, with medians for planes.
+    /// a sample of one in 32, split in the middle.
     [[nodiscard]] static BuildOptions search_options();
 
-    /// Takes over the points and builds their tree. Throws Error like build_kd_tree().
-    explicit PointScene(std::vector<Vec3f> points, const BuildOptions& options = search_options());
+    /// Takes over the points and builds their tree by search_options(). If that leaves many points
+    /// together, because others are very far away, it is built once more with medians for planes.
+    /// Throws Error like build_kd_tree().
+    explicit PointScene(std::vector<Vec3f> points);
+
+    /// The same with one tree by other options.
+    PointScene(std::vector<Vec3f> points, const BuildOptions& options);
 
     /// The point nearest to a place, if one is within `max_distance`; see PointSearch, also for the
     /// three below.
