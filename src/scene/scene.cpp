@@ -7,7 +7,9 @@
 namespace coppice {
 
 Scene::Scene(TriangleMesh mesh, const BuildOptions& options)
-    : mesh_(std::move(mesh)), tracer_(build_wide_bvh(mesh_.view(), options, &report_)) {}
+    : mesh_(std::move(mesh)),
+      tracer_(build_wide_bvh(mesh_.view(), options, &report_)),
+      search_(tracer_.tree()) {}
 
 std::optional<Hit> Scene::intersect(const Ray& ray) const noexcept {
     return tracer_.intersect(ray);
@@ -15,6 +17,10 @@ std::optional<Hit> Scene::intersect(const Ray& ray) const noexcept {
 
 bool Scene::occluded(const Ray& ray) const noexcept {
     return tracer_.occluded(ray);
+}
+
+SignedDistance Scene::make_signed_distance() const {
+    return {mesh_.view(), search_};
 }
 
 }  // namespace coppice

@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <type_traits>
 #include <utility>
@@ -50,6 +52,24 @@ TEST(Scene, BuildsByItsOptions) {
     EXPECT_EQ(scene.build_report().primitive_count, 500U);
     EXPECT_EQ(scene.build_report().sample_count, 50U);
     EXPECT_EQ(scene.build_report().statistics.inner_count, scene.tree().nodes().size());
+}
+
+TEST(Scene, SearchesWhatItWasGiven) {
+    const Scene scene(make_sphere(20, 30));
+    const Vec3f inside{0.1F, 0.2F, 0.3F};
+    const SurfaceNeighbor nearest = scene.nearest(inside);
+    EXPECT_NEAR(nearest.distance(), 1.0 - std::sqrt(0.14), 0.02);
+    std::array<SurfaceNeighbor, 3> found;
+    EXPECT_EQ(scene.nearest_k(inside, found), 3U);
+    EXPECT_EQ(found.front().prim, nearest.prim);
+    std::size_t count = 0;
+    scene.for_each_within({0, 0, 0}, 1.0F, [&](const SurfaceNeighbor&) { ++count; });
+    EXPECT_EQ(count, scene.mesh().triangles.size());
+    scene.for_each_overlapping({{2, 0, 0}, {3, 1, 1}}, [&](std::uint32_t) { ++count; });
+    EXPECT_EQ(count, scene.mesh().triangles.size());
+    const SignedDistance distance = Scene(scene).make_signed_distance();
+    EXPECT_EQ(distance.nearest(inside).signed_distance, -nearest.distance());
+    EXPECT_THROW((void)Scene(make_soup(5, 0.1F, 1)).make_signed_distance(), Error);
 }
 
 TEST(Scene, OfNothingIsHitByNothing) {

@@ -4,15 +4,20 @@
 #include "coppice/build/build_report.h"
 #include "coppice/geom/ray.h"
 #include "coppice/geom/triangle_mesh.h"
+#include "coppice/query/mesh_search.h"
+#include "coppice/query/signed_distance.h"
 #include "coppice/trace/wide_tracer.h"
 #include "coppice/tree/wide_bvh.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 
 namespace coppice {
 
-/// A mesh together with the wide tree to trace it: all that most programs need. Queries are
-/// reentrant.
+/// A mesh together with the wide tree to trace and search it: all that most programs need. Queries
+/// are reentrant.
 class Scene {
 public:
     /// Takes over the mesh and builds its tree. Throws Error like build_wide_bvh().
@@ -23,6 +28,37 @@ public:
 
     /// True if anything lies on the ray.
     [[nodiscard]] bool occluded(const Ray& ray) const noexcept;
+
+    /// The triangle nearest to a point, if one is within `max_distance`; see MeshSearch, also for
+    /// the three below.
+    [[nodiscard]] SurfaceNeighbor nearest(
+        Vec3f point, float max_distance = MeshSearch::anywhere) const noexcept {
+        return search_.nearest(point, max_distance);
+    }
+
+    /// The up to found.size() nearest triangles, in order. Returns how many there are.
+    [[nodiscard]] std::size_t nearest_k(Vec3f point, std::span<SurfaceNeighbor> found,
+                                        float max_distance = MeshSearch::anywhere) const noexcept {
+        return search_.nearest_k(point, found, max_distance);
+    }
+
+    /// Calls `visit` with all triangles within a distance, in no particular order.
+    void for_each_within(Vec3f center, float radius,
+                         Visitor<SurfaceNeighbor> visit) const noexcept {
+        search_.for_each_within(center, radius, visit);
+    }
+
+    /// Calls `visit` with the ids of all triangles that overlap a box, in no particular order.
+    void for_each_overlapping(const Aabb& box, Visitor<std::uint32_t> visit) const noexcept {
+        search_.for_each_overlapping(box, visit);
+    }
+
+    /// Searches for many points at once.
+    [[nodiscard]] const MeshSearch& search() const noexcept { return search_; }
+
+    /// What tells the distance to the surface, negative inside. It does not need the scene later.
+    /// Throws Error(unsupported) if the mesh is not closed.
+    [[nodiscard]] SignedDistance make_signed_distance() const;
 
     [[nodiscard]] const TriangleMesh& mesh() const noexcept { return mesh_; }
 
@@ -35,6 +71,7 @@ private:
     TriangleMesh mesh_;
     BuildReport report_;
     WideTracer tracer_;
+    MeshSearch search_;
 };
 
 }  // namespace coppice

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "coppice/geom/closest_point.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace coppice {
+
+/// A point of a cloud near to another point. Results compare by distance, equally near ones by id.
+struct Neighbor {
+    double distance_squared = std::numeric_limits<double>::infinity();  ///< infinite: none found
+    std::uint32_t prim = 0;
+
+    [[nodiscard]] double distance() const noexcept { return std::sqrt(distance_squared); }
+
+    [[nodiscard]] bool is_found() const noexcept {
+        return distance_squared < std::numeric_limits<double>::infinity();
+    }
+};
+
+/// The point of a triangle nearest to another point: what a mesh has for a Neighbor.
+struct SurfaceNeighbor {
+    double distance_squared = std::numeric_limits<double>::infinity();  ///< infinite: none found
+    Vec3f point;
+    float u = 0.0F;  ///< barycentric coordinate of the triangle's second corner
+    float v = 0.0F;  ///< of the third
+    std::uint32_t prim = 0;
+    TriangleFeature feature = TriangleFeature::face;  ///< what of the triangle the point lies on
+
+    [[nodiscard]] double distance() const noexcept { return std::sqrt(distance_squared); }
+
+    [[nodiscard]] bool is_found() const noexcept {
+        return distance_squared < std::numeric_limits<double>::infinity();
+    }
+};
+
+}  // namespace coppice

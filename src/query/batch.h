@@ -1,0 +1,52 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string_view>
+
+namespace coppice {
+
+/// Calls `body(i)` for all i < count, on at most `threads` threads (0 = all the hardware has).
+void for_each_query(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
+
+/// The length of the rows that `room` results for `count` queries make. Throws
+/// Error(invalid_argument) naming the `query` if the room cannot be divided evenly.
+[[nodiscard]] std::size_t row_length(std::string_view query, std::size_t count, std::size_t room);
+
+/// Throws Error(invalid_argument) naming the `query` unless there is room for one result a query.
+void require_room(std::string_view query, std::size_t count, std::size_t room);
+
+/// Calls `fill(i, row)`, which returns how many it found, for the row of every query, and fills the
+/// rows up with default values.
+template <typename Found, typename Fill>
+void fill_rows(std::string_view query, std::size_t count, std::span<Found> found, int threads,
+               const Fill& fill) {
+    const std::size_t room = row_length(query, count, found.size());
+    for_each_query(count, threads, [&](std::size_t i) {
+        const std::span<Found> row = found.subspan(i * room, room);
+        const std::size_t found_count = fill(i, row);
+        std::fill(row.begin() + static_cast<std::ptrdiff_t>(found_count), row.end(), Found{});
+    });
+}
+
+/// Calls `visit_all(i, visit)`, which calls `visit` with all it finds, for every query; counts them
+/// and writes them into the query's row as long as there is room.
+template <typename Found, typename VisitAll>
+void write_rows(std::string_view query, std::span<Found> found, std::span<std::uint32_t> counts,
+                int threads, const VisitAll& visit_all) {
+    const std::size_t room = row_length(query, counts.size(), found.size());
+    for_each_query(counts.size(), threads, [&](std::size_t i) {
+        const std::span<Found> row = found.subspan(i * room, room);
+        std::uint32_t count = 0;
+        visit_all(i, [&](const Found& each) {
+            if (count < row.size()) row[count] = each;
+            ++count;
+        });
+        counts[i] = count;
+    });
+}
+
+}  // namespace coppice

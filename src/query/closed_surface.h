@@ -1,0 +1,43 @@
+#pragma once
+
+#include "coppice/geom/triangle_mesh.h"
+#include "coppice/query/neighbor.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace coppice {
+
+/// What is needed of a closed mesh to tell inside from outside: its corners, welded by position,
+/// with their pseudonormals, and which triangle is across each edge.
+class ClosedSurface {
+public:
+    /// Throws Error(unsupported) if the mesh is not closed; see SignedDistance.
+    explicit ClosedSurface(TriangleMeshView mesh);
+
+    /// True if a point is inside, given what of the surface is nearest to it.
+    [[nodiscard]] bool is_inside(Vec3f point, const SurfaceNeighbor& nearest) const noexcept;
+
+private:
+    struct EdgeSide;
+
+    void weld(TriangleMeshView mesh);
+    void connect();
+    void connect_edge(const EdgeSide* first, const EdgeSide* last);
+    void weigh_corners();
+    [[nodiscard]] std::vector<EdgeSide> edge_sides() const;
+    [[nodiscard]] Vec3d corner(std::uint32_t triangle, std::size_t at) const noexcept;
+    [[nodiscard]] Vec3d unit_normal(std::uint32_t triangle) const noexcept;
+    [[nodiscard]] Vec3d edge_normal(std::uint32_t triangle, std::size_t edge) const noexcept;
+    [[nodiscard]] bool is_collapsed(std::uint32_t triangle) const noexcept;
+
+    std::vector<Vec3f> corners_;
+    std::vector<Vec3d> corner_normals_;  // angle-weighted
+    std::vector<TriangleIndices> triangles_;
+    std::vector<TriangleIndices> across_;  // the triangle across each edge; of a collapsed
+                                           // triangle, one that has the edge
+    double outward_ = 1.0;                 // -1 if the mesh is inside out
+};
+
+}  // namespace coppice

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "coppice/base/cpu.h"
+#include "coppice/geom/aabb.h"
+#include "coppice/query/neighbor.h"
+#include "coppice/query/visitor.h"
+#include "coppice/tree/wide_bvh.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace coppice {
+
+/// A wide tree to search, and which of its triangles are in several leaves.
+struct SearchedMesh {
+    const WideBvh& tree;
+    std::span<const std::uint64_t> repeated;  ///< a bit by id; empty if none is
+
+    [[nodiscard]] bool is_repeated(std::uint32_t id) const noexcept {
+        return !repeated.empty() && (repeated[id / 64] >> id % 64 & 1U) != 0;
+    }
+};
+
+/// The searches of a wide tree for one instruction set. Points are finite, boxes not empty, spans
+/// have room; `limit` is a squared distance.
+struct MeshSearchKernels {
+    void (*nearest)(const SearchedMesh&, Vec3f point, double limit, SurfaceNeighbor&) noexcept;
+    std::size_t (*nearest_k)(const SearchedMesh&, Vec3f point, double limit,
+                             std::span<SurfaceNeighbor>) noexcept;
+    void (*within)(const SearchedMesh&, Vec3f point, double limit,
+                   Visitor<SurfaceNeighbor>) noexcept;
+    void (*overlapping)(const SearchedMesh&, const Aabb&, Visitor<std::uint32_t>) noexcept;
+};
+
+/// The searches for an instruction set that this processor has.
+[[nodiscard]] const MeshSearchKernels& mesh_search_kernels_for(Isa isa) noexcept;
+
+/// Those of each set.
+[[nodiscard]] const MeshSearchKernels& scalar_mesh_search_kernels() noexcept;
+[[nodiscard]] const MeshSearchKernels& avx2_mesh_search_kernels() noexcept;
+
+}  // namespace coppice

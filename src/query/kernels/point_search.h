@@ -1,0 +1,43 @@
+#pragma once
+
+#include "coppice/base/cpu.h"
+#include "coppice/geom/aabb.h"
+#include "coppice/query/neighbor.h"
+#include "coppice/query/visitor.h"
+#include "coppice/tree/kd_tree.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace coppice {
+
+/// Points searched at a time. Arrays of coordinates go on for so many beyond the last point.
+inline constexpr std::size_t point_lanes = 8;
+
+/// A k-d tree to search, and its points in the order of its references.
+struct SearchedPoints {
+    const KdTree& tree;
+    const float* x;
+    const float* y;
+    const float* z;
+};
+
+/// The searches of a k-d tree over points for one instruction set. Places are finite, boxes not
+/// empty, spans have room; `limit` is a squared distance.
+struct PointSearchKernels {
+    void (*nearest)(const SearchedPoints&, Vec3f point, double limit, Neighbor&) noexcept;
+    std::size_t (*nearest_k)(const SearchedPoints&, Vec3f point, double limit,
+                             std::span<Neighbor>) noexcept;
+    void (*within)(const SearchedPoints&, Vec3f point, double limit, Visitor<Neighbor>) noexcept;
+    void (*overlapping)(const SearchedPoints&, const Aabb&, Visitor<std::uint32_t>) noexcept;
+};
+
+/// The searches for an instruction set that this processor has.
+[[nodiscard]] const PointSearchKernels& point_search_kernels_for(Isa isa) noexcept;
+
+/// Those of each set.
+[[nodiscard]] const PointSearchKernels& scalar_point_search_kernels() noexcept;
+[[nodiscard]] const PointSearchKernels& avx2_point_search_kernels() noexcept;
+
+}  // namespace coppice

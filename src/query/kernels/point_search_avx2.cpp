@@ -1,0 +1,42 @@
+#include "query/kernels/point_search.h"
+
+#if defined(__x86_64__)
+
+#include "base/isa.h"
+#include "query/nearest_set.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+namespace coppice {
+
+COPPICE_BEGIN_AVX2
+
+namespace {
+
+#include "query/kernels/point_search.inl"
+
+}  // namespace
+
+COPPICE_END_AVX2
+
+const PointSearchKernels& avx2_point_search_kernels() noexcept {
+    return kernels;
+}
+
+}  // namespace coppice
+
+#else
+
+namespace coppice {
+
+const PointSearchKernels& avx2_point_search_kernels() noexcept {
+    return scalar_point_search_kernels();  // never asked for: choose_isa() does not offer it
+}
+
+}  // namespace coppice
+
+#endif

@@ -1,0 +1,31 @@
+#include "coppice/query/signed_distance.h"
+
+#include "query/batch.h"
+#include "query/closed_surface.h"
+
+#include <limits>
+#include <utility>
+
+namespace coppice {
+
+SignedDistance::SignedDistance(TriangleMeshView mesh, MeshSearch search)
+    : search_(std::move(search)), surface_(std::make_shared<const ClosedSurface>(mesh)) {}
+
+SignedNeighbor SignedDistance::nearest(Vec3f point) const noexcept {
+    const SurfaceNeighbor nearest = search_.nearest(point);
+    if (!nearest.is_found()) return {std::numeric_limits<double>::quiet_NaN(), nearest};
+    const double distance = nearest.distance();
+    // From afar all triangles are equally near, and the one taken need not face the point.
+    const bool is_negative = distance > 0.0 && search_.tree().bounds().contains(point) &&
+                             surface_->is_inside(point, nearest);
+    return {is_negative ? -distance : distance, nearest};
+}
+
+void SignedDistance::distances(std::span<const Vec3f> points, std::span<double> found,
+                               int threads) const {
+    require_room("distances", points.size(), found.size());
+    for_each_query(points.size(), threads,
+                   [&](std::size_t i) { found[i] = nearest(points[i]).signed_distance; });
+}
+
+}  // namespace coppice

@@ -1,0 +1,46 @@
+#include "coppice/scene/point_scene.h"
+
+#include "coppice/build/build_tree.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace coppice {
+namespace {
+
+constexpr std::uint32_t crowded_leaf = 2048;  // points; most leaves have about 32
+
+bool is_crowded(const KdTree& tree) noexcept {
+    return std::any_of(tree.nodes().begin(), tree.nodes().end(), [](const KdNode& node) {
+        return node.is_leaf() && node.reference_count() > crowded_leaf;
+    });
+}
+
+KdTree build_to_search(PointCloudView points, BuildReport& report) {
+    BuildOptions options = PointScene::search_options();
+    KdTree tree = build_kd_tree(points, options, &report);
+    if (!is_crowded(tree)) return tree;
+    options.split.rule = "median";
+    return build_kd_tree(points, options, &report);
+}
+
+}  // namespace
+
+BuildOptions PointScene::search_options() {
+    return {.sample = {.rate = 1.0 / 32.0},
+            .split = {.rule = "midpoint",
+                      .max_depth = KdTree::max_depth,
+                      .max_leaf = 1,
+                      .bad_refines = KdTree::max_depth + 1},  // split at any price
+            .growth = Growth::none};
+}
+
+PointScene::PointScene(std::vector<Vec3f> points)
+    : points_(std::move(points)),
+      search_(build_to_search(PointCloudView(points_), report_), PointCloudView(points_)) {}
+
+PointScene::PointScene(std::vector<Vec3f> points, const BuildOptions& options)
+    : points_(std::move(points)),
+      search_(build_kd_tree(PointCloudView(points_), options, &report_), PointCloudView(points_)) {}
+
+}  // namespace coppice
