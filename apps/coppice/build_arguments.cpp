@@ -1,5 +1,6 @@
 #include "build_arguments.h"
 
+#include "coppice/build/method.h"
 #include "coppice/sample/sampler.h"
 
 #include "options.h"
@@ -25,6 +26,22 @@ CLI::Option* add_sampler(CLI::App& parser, std::string& sampler) {
                     {"--sampler", "NAME",
                      listing("How the sample is drawn", names_in(sampler_registry())), "uniform"},
                     sampler, names_in(sampler_registry()));
+}
+
+void add_method(CLI::App& parser, std::string& method) {
+    method = "auto";
+    add_name(parser,
+             {"--method", "NAME", listing("How it is built", names_in(method_registry())), method},
+             method, names_in(method_registry()));
+}
+
+void add_sample(CLI::App& parser, std::optional<double>& rate) {
+    const auto read = [&rate](const std::string& given) { rate = parse_share("--sample", given); };
+    parser
+        .add_option_function<std::string>("--sample", read,
+                                          "Share of the primitives that is sampled: 1% or 0.01")
+        ->type_name("SHARE")
+        ->default_str("the method's");
 }
 
 void add_threads(CLI::App& parser, int& threads) {

@@ -21,6 +21,7 @@ struct Command {
 [[nodiscard]] Command add_experiment(CLI::App& program, const std::vector<std::string>& arguments);
 [[nodiscard]] Command add_build(CLI::App& program);
 [[nodiscard]] Command add_bench(CLI::App& program);
+[[nodiscard]] Command add_render(CLI::App& program);
 [[nodiscard]] Command add_info(CLI::App& program);
 [[nodiscard]] Command add_list(CLI::App& program);
 [[nodiscard]] Command add_generate(CLI::App& program);

@@ -10,6 +10,7 @@
 #include "lab/output_folder.h"
 #include "lab/progress_line.h"
 #include "options.h"
+#include "view_arguments.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -85,14 +86,7 @@ void add_how(CLI::App& parser, lab::BenchOptions& options) {
 void add_view(CLI::App& parser, lab::BenchOptions& options) {
     add_whole(parser, {"--size", "N", "Pixels of the image, each way", "1024"}, options.size, 1,
               lab::BenchOptions::max_size);
-    add_vector(parser, {"--eye", "X,Y,Z", "Where the camera is", "all in view"},
-               options.camera.eye);
-    add_vector(parser, {"--look-at", "X,Y,Z", "What it looks at", "the middle"},
-               options.camera.look_at);
-    add_vector(parser, {"--up", "X,Y,Z", "What is up in the image", "y, of flat scenes z"},
-               options.camera.up);
-    add_number(parser, {"--fov", "DEGREES", "Field of view from bottom to top", "45"},
-               options.camera.fov, {0.0, 180.0, "a number in (0, 180)", false, false});
+    add_camera(parser, options.camera);
     add_whole(parser, {"--seed", "N", "Of the bounces' directions", "1"}, options.seed, 0,
               std::numeric_limits<std::int64_t>::max());
 }

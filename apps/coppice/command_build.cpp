@@ -24,14 +24,12 @@ namespace coppice::app {
 
 namespace {
 
-constexpr std::string_view default_method = "auto";
-
 constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
 /// The options as the parser fills them in; what is not given is the method's own.
 struct Request {
     std::vector<std::string> scenes;
-    std::string method{default_method};
+    std::string method;
     std::optional<double> rate;
     std::string sampler;
     std::uint64_t seed = 1;
@@ -111,17 +109,8 @@ Command add_build(CLI::App& program) {
     parser->allow_extras();
     const auto request = std::make_shared<Request>();
     add_scenes(*parser, request->scenes);
-    add_name(*parser,
-             {"--method", "NAME", listing("How it is built", names_in(method_registry())),
-              std::string(default_method)},
-             request->method, names_in(method_registry()));
-    parser
-        ->add_option_function<std::string>(
-            "--sample",
-            [request](const std::string& given) { request->rate = parse_share("--sample", given); },
-            "Share of the primitives that is sampled: 1% or 0.01")
-        ->type_name("SHARE")
-        ->default_str("the method's");
+    add_method(*parser, request->method);
+    add_sample(*parser, request->rate);
     add_sampler(*parser, request->sampler)->default_str("the method's");
     add_whole(*parser, {"--seed", "N", "Same seed, same sample", "1"}, request->seed, 0,
               std::numeric_limits<std::int64_t>::max());

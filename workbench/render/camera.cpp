@@ -6,6 +6,8 @@
 
 #include "coppice/base/error.h"
 
+#include "render/vector_math.h"
+
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -24,19 +26,6 @@ struct View {
     Vec3d right;
     Vec3d up;
 };
-
-double length(Vec3d v) {
-    return std::sqrt(dot(v, v));
-}
-
-/// The vector at length 1; 0 if it has no length.
-Vec3d normalized(Vec3d v) {
-    // First to a size whose square neither overflows nor vanishes.
-    const double size = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    if (!(size > 0.0)) return {};
-    const Vec3d scaled = (1.0 / size) * v;
-    return (1.0 / length(scaled)) * scaled;
-}
 
 View view_along(Vec3d direction, Vec3d up) {
     const Vec3d forward = normalized(direction);
@@ -172,9 +161,9 @@ CameraRays::CameraRays(const Camera& camera, int width, int height)
     right_ = half_height * width / height * view.right;
 }
 
-Ray CameraRays::through(int x, int y) const noexcept {
-    const double across = (2.0 * x + 1.0) / width_ - 1.0;
-    const double up = 1.0 - (2.0 * y + 1.0) / height_;
+Ray CameraRays::at(double x, double y) const noexcept {
+    const double across = 2.0 * x / width_ - 1.0;
+    const double up = 1.0 - 2.0 * y / height_;
     return {eye_, to_float(normalized(forward_ + across * right_ + up * up_))};
 }
 

@@ -42,7 +42,10 @@ public:
     CameraRays(const Camera& camera, int width, int height);
 
     /// Pixel (0, 0) is the upper left one. The direction has unit length.
-    [[nodiscard]] Ray through(int x, int y) const noexcept;
+    [[nodiscard]] Ray through(int x, int y) const noexcept { return at(x + 0.5, y + 0.5); }
+
+    /// The ray through any point of the image, in pixels from its upper left corner.
+    [[nodiscard]] Ray at(double x, double y) const noexcept;
 
 private:
     Vec3f eye_;
