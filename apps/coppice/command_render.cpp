@@ -152,10 +152,10 @@ std::string bar_text(const std::string& what, double share) {
 }
 
 /// The camera and the lights for what a scene holds; tells the report of both.
-render::Lighting set_up(const Request& request, const Aabb& box, render::Emitters emitters,
+render::Lighting set_up(const Request& request, const TriangleMesh& mesh, render::Emitters emitters,
                         render::RenderReport& report) {
     const double aspect = static_cast<double>(request.options.width) / request.options.height;
-    report.camera = render::frame_box(box, request.camera, aspect);
+    report.camera = render::frame_points(mesh.vertices, request.camera, aspect);
     report.is_camera_chosen = !request.camera.eye;
     report.is_lamp_chosen = request.lamp_wish == LampWish::automatic;
     report.sky = request.sky;
@@ -164,7 +164,7 @@ render::Lighting set_up(const Request& request, const Aabb& box, render::Emitter
     if (has_lamp) {
         report.lamp = request.lamp;
         if (report.is_lamp_chosen) {
-            report.lamp->position = render::place_light(report.camera, box);
+            report.lamp->position = render::place_light(report.camera, bounds_of(mesh.vertices));
         }
     }
     report.emitter_count = emitters.count();
@@ -193,12 +193,11 @@ render::RenderResult render_scene(const Request& request, render::RenderReport& 
     report.triangle_count = mesh.view().size();
     report.warnings = attributes.warnings;
 
-    const Aabb box = bounds_of(mesh.vertices);
     const render::Lighting lighting =
-        set_up(request, box, render::Emitters(mesh.view(), attributes), report);
+        set_up(request, mesh, render::Emitters(mesh.view(), attributes), report);
     report.integrator_options = request.integrator_options;
     if (report.integrator_options.ao_distance == 0.0) {
-        report.integrator_options.ao_distance = default_ao_distance(box);
+        report.integrator_options.ao_distance = default_ao_distance(bounds_of(mesh.vertices));
     }
     // A camera that sees nothing is found out before the build.
     static_cast<void>(

@@ -5,14 +5,18 @@
 #include "render/camera.h"
 
 #include "coppice/base/error.h"
+#include "coppice/geom/triangle_mesh.h"
 
 #include "render/vector_math.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <vector>
 
 namespace coppice::render {
 
@@ -89,18 +93,51 @@ View best_view(const Aabb& box, Vec3d up) {
     return best;
 }
 
-/// How far behind `target` the eye must be to see all corners of a box.
-double framing_distance(const Aabb& box, Vec3d target, const View& view, double tan_half_height,
-                        double aspect) {
+/// How far behind `target` the eye must be to see all points.
+double framing_distance(std::span<const Vec3d> points, Vec3d target, const View& view,
+                        double tan_half_height, double aspect) {
     double distance = 0.0;
-    for (const Vec3d corner : corners_of(box)) {
-        const Vec3d offset = corner - target;
+    for (const Vec3d point : points) {
+        const Vec3d offset = point - target;
         const double depth = dot(offset, view.forward);
         const double across = std::abs(dot(offset, view.right)) / (aspect * tan_half_height);
         const double along = std::abs(dot(offset, view.up)) / tan_half_height;
         distance = std::max({distance, across - depth, along - depth});
     }
     return distance > 0.0 ? margin * distance : 1.0;
+}
+
+/// The view from the opposite side if this one is from the back.
+View from_front(const View& view, Vec3d vertical) {
+    const Vec3d front =
+        std::abs(vertical.y) >= std::abs(vertical.z) ? Vec3d{0.0, 0.0, 1.0} : Vec3d{0.0, -1.0, 0.0};
+    const Vec3d level = view.forward - dot(view.forward, vertical) * vertical;
+    const bool is_from_front = dot(level, front) <= 0.0;
+    return is_from_front ? view : view_along(view.forward - 2.0 * level, vertical);
+}
+
+/// The middle of what points span along the axes of a view.
+Vec3d center_in_view(std::span<const Vec3d> points, const View& view) {
+    Vec3d center;
+    for (const Vec3d axis : {view.forward, view.right, view.up}) {
+        double lowest = std::numeric_limits<double>::infinity();
+        double highest = -lowest;
+        for (const Vec3d point : points) {
+            lowest = std::min(lowest, dot(point, axis));
+            highest = std::max(highest, dot(point, axis));
+        }
+        center = center + 0.5 * (lowest + highest) * axis;
+    }
+    return center;
+}
+
+/// The nearest multiple of `unit`, unless that is too small for such arithmetic.
+Vec3f rounded(Vec3d v, double unit) {
+    const auto round = [unit](double x) {
+        const double multiple = std::round(x / unit) * unit;
+        return std::isfinite(multiple) ? multiple + 0.0 : x;  // + 0.0: no -0
+    };
+    return to_float({round(v.x), round(v.y), round(v.z)});
 }
 
 double tan_half(double fov) {
@@ -121,8 +158,26 @@ Camera frame_box(const Aabb& box, const CameraWish& wish, double aspect) {
         return camera;
     }
     const View view = best_view(seen, to_double(camera.up));
-    const double distance = framing_distance(seen, target, view, tan_half(wish.fov), aspect);
+    const double distance =
+        framing_distance(corners_of(seen), target, view, tan_half(wish.fov), aspect);
     camera.eye = to_float(target - distance * view.forward);
+    return camera;
+}
+
+Camera frame_points(std::span<const Vec3f> points, const CameraWish& wish, double aspect) {
+    const Aabb box = bounds_of(points);
+    Camera camera = frame_box(box, wish, aspect);
+    if (wish.eye || points.empty()) return camera;
+    std::vector<Vec3d> seen(points.size());
+    std::transform(points.begin(), points.end(), seen.begin(), to_double);
+    const Vec3d vertical = normalized(to_double(camera.up));
+    const View view = from_front(best_view(box, vertical), vertical);
+    const Vec3d target = wish.look_at ? to_double(*wish.look_at) : center_in_view(seen, view);
+    const double distance = framing_distance(seen, target, view, tan_half(wish.fov), aspect);
+    // Few digits, since people copy them: to a ten-thousandth of the distance.
+    const double unit = std::pow(10.0, std::floor(std::log10(distance)) - 4.0);
+    if (!wish.look_at) camera.look_at = rounded(target, unit);
+    camera.eye = rounded(target - distance * view.forward, unit);
     return camera;
 }
 

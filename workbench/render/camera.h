@@ -6,6 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <optional>
+#include <span>
 
 namespace coppice::render {
 
@@ -29,6 +30,11 @@ struct CameraWish {
 /// the box appears largest, a little from above. Up is y, or z for a box flat in z. What is wished
 /// for is kept, and the rest chosen around it. An empty box is taken for the point 0.
 [[nodiscard]] Camera frame_box(const Aabb& box, const CameraWish& wish, double aspect);
+
+/// The same for points, closer: their own extent is looked at, not their box's, and from its front
+/// if two opposite sides are alike: models mostly face +z if y is up, and -y if z is.
+[[nodiscard]] Camera frame_points(std::span<const Vec3f> points, const CameraWish& wish,
+                                  double aspect);
 
 /// A place for a light that serves what a camera sees of a box: above and right of the eye, by part
 /// of the distance to what it looks at; within the box if the eye is.

@@ -37,9 +37,9 @@ Vec3d mixed(Vec3d a, Vec3d b, double share_of_b) {
 
 Vec3d Sky::radiance(Vec3d direction) const noexcept {
     if (color) return to_double(*color);
-    constexpr Vec3d zenith{0.30, 0.42, 0.65};
-    constexpr Vec3d horizon{0.62, 0.65, 0.68};
-    constexpr Vec3d ground{0.25, 0.24, 0.23};
+    constexpr Vec3d zenith{0.20, 0.28, 0.44};
+    constexpr Vec3d horizon{0.46, 0.48, 0.50};
+    constexpr Vec3d ground{0.16, 0.155, 0.15};
     const double height = dot(direction, normalized(to_double(up)));
     return height >= 0.0 ? mixed(horizon, zenith, std::sqrt(std::min(height, 1.0)))
                          : mixed(horizon, ground, std::sqrt(std::min(-height, 1.0)));

@@ -17,7 +17,7 @@ namespace coppice::render {
 struct Lamp {
     Vec3f position;
     double radius = 0.0;  ///< >= 0
-    double brightness = 0.8;
+    double brightness = 0.7;
 };
 
 /// What is seen where there is no surface: a colour, or if none is given a blue that fades to white

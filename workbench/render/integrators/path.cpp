@@ -9,6 +9,7 @@
 #include "render/integrators/shading.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace coppice::render {
@@ -110,7 +111,7 @@ private:
     }
 
     static bool survives(Path& path, PixelSamples& random) {
-        const double chance = std::clamp(largest(path.share), 0.05, 0.95);
+        const double chance = std::clamp(std::sqrt(largest(path.share)), 0.05, 0.95);
         path.share = (1.0 / chance) * path.share;
         return random.next_1d() < chance;
     }
