@@ -69,6 +69,15 @@ Vec3f likely_up(const Aabb& box) {
     return is_flat_in_z ? Vec3f{0.0F, 0.0F, 1.0F} : Vec3f{0.0F, 1.0F, 0.0F};
 }
 
+/// The same of a model that may say more: if it stands on z = 0 and not on y = 0, up is z.
+Vec3f likely_up_of_model(const Aabb& box) {
+    const auto stands_on = [&box](Axis axis) {
+        return std::abs(double{box.lower[axis]}) <= 0.02 * box.extent(axis);
+    };
+    const bool stands_on_z = stands_on(Axis::z) && !stands_on(Axis::y);
+    return stands_on_z ? Vec3f{0.0F, 0.0F, 1.0F} : likely_up(box);
+}
+
 /// The view that shows most of a box.
 View best_view(const Aabb& box, Vec3d up) {
     constexpr int side_count = 16;
@@ -165,9 +174,12 @@ Camera frame_box(const Aabb& box, const CameraWish& wish, double aspect) {
 }
 
 Camera frame_points(std::span<const Vec3f> points, const CameraWish& wish, double aspect) {
+    if (points.empty()) return frame_box({}, wish, aspect);
     const Aabb box = bounds_of(points);
-    Camera camera = frame_box(box, wish, aspect);
-    if (wish.eye || points.empty()) return camera;
+    CameraWish known = wish;
+    known.up = wish.up.value_or(likely_up_of_model(box));
+    Camera camera = frame_box(box, known, aspect);
+    if (wish.eye) return camera;
     std::vector<Vec3d> seen(points.size());
     std::transform(points.begin(), points.end(), seen.begin(), to_double);
     const Vec3d vertical = normalized(to_double(camera.up));

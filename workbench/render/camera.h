@@ -32,7 +32,8 @@ struct CameraWish {
 [[nodiscard]] Camera frame_box(const Aabb& box, const CameraWish& wish, double aspect);
 
 /// The same for points, closer: their own extent is looked at, not their box's, and from its front
-/// if two opposite sides are alike: models mostly face +z if y is up, and -y if z is.
+/// if two opposite sides are alike: models mostly face +z if y is up, and -y if z is. Up is z, too,
+/// if they stand on z = 0 and not on y = 0.
 [[nodiscard]] Camera frame_points(std::span<const Vec3f> points, const CameraWish& wish,
                                   double aspect);
 
