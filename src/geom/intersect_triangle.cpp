@@ -27,26 +27,25 @@ double edge_function(Vec3d a, Vec3d b) noexcept {
     return difference + (std::fma(a.x, b.y, -first) - std::fma(a.y, b.x, -second));
 }
 
+Vec3f normal_of(const Triangle& triangle) noexcept {
+    const Vec3d a = to_double(triangle[0]);
+    return to_float(cross(to_double(triangle[1]) - a, to_double(triangle[2]) - a));
+}
+
 }  // namespace
 
 TriangleTest::TriangleTest(const Ray& ray) noexcept
-    : origin_(to_double(ray.origin)), t_min_(ray.t_min) {
+    : origin_(to_double(ray.origin)), t_min_(ray.t_min), axes_(ray.direction) {
     const std::array<double, 3> direction{ray.direction.x, ray.direction.y, ray.direction.z};
-    for (const std::size_t axis : {1U, 2U}) {
-        if (std::abs(direction[axis]) > std::abs(direction[z_])) z_ = axis;
-    }
-    x_ = (z_ + 1) % 3;
-    y_ = (z_ + 2) % 3;
-    if (direction[z_] < 0.0) std::swap(x_, y_);
-    scale_z_ = 1.0 / direction[z_];
-    shear_x_ = direction[x_] * scale_z_;
-    shear_y_ = direction[y_] * scale_z_;
+    scale_z_ = 1.0 / direction[axes_.z];
+    shear_x_ = direction[axes_.x] * scale_z_;
+    shear_y_ = direction[axes_.y] * scale_z_;
 }
 
 Vec3d TriangleTest::to_frame(Vec3f corner) const noexcept {
     const std::array<double, 3> p{corner.x - origin_.x, corner.y - origin_.y, corner.z - origin_.z};
-    const double z = p[z_];
-    return {p[x_] - shear_x_ * z, p[y_] - shear_y_ * z, scale_z_ * z};
+    const double z = p[axes_.z];
+    return {p[axes_.x] - shear_x_ * z, p[axes_.y] - shear_y_ * z, scale_z_ * z};
 }
 
 std::optional<Hit> TriangleTest::operator()(const Triangle& triangle, float t_max) const noexcept {
@@ -65,7 +64,7 @@ std::optional<Hit> TriangleTest::operator()(const Triangle& triangle, float t_ma
         static_cast<float>((weight_a * a.z + weight_b * b.z + weight_c * c.z) * per_weight);
     if (!(t >= t_min_ && t <= t_max)) return std::nullopt;
     return Hit{t, static_cast<float>(weight_b * per_weight),
-               static_cast<float>(weight_c * per_weight), 0};
+               static_cast<float>(weight_c * per_weight), 0, normal_of(triangle)};
 }
 
 std::optional<Hit> intersect_triangle(const Ray& ray, const Triangle& triangle) noexcept {

@@ -1,5 +1,7 @@
 #include "coppice/trace/wide_tracer.h"
 
+#include "trace/batch.h"
+#include "trace/count_hits.h"
 #include "trace/kernels/wide_trace.h"
 
 #include <utility>
@@ -9,18 +11,48 @@ namespace coppice {
 WideTracer::WideTracer(WideBvh tree) : WideTracer(std::move(tree), choose_isa()) {}
 
 WideTracer::WideTracer(WideBvh tree, Isa isa)
-    : tree_(std::move(tree)),
-      closest_(trace_kernels_for(isa).closest),
-      any_(trace_kernels_for(isa).any) {}
+    : tree_(std::move(tree)), kernels_(&trace_kernels_for(isa)) {}
 
 std::optional<Hit> WideTracer::intersect(const Ray& ray) const noexcept {
-    Hit hit;
-    return closest_(tree_, ray, hit) ? std::optional(hit) : std::nullopt;
+    std::optional<Hit> hit(std::in_place);
+    if (!kernels_->closest(tree_, ray, *hit)) hit.reset();
+    return hit;
 }
 
 bool WideTracer::occluded(const Ray& ray) const noexcept {
-    Hit hit;
-    return any_(tree_, ray, hit);
+    return kernels_->any(tree_, ray);
+}
+
+std::optional<Hit> WideTracer::intersect(const Ray& ray, TraversalCounts& counts) const noexcept {
+    std::optional<Hit> hit(std::in_place);
+    if (!kernels_->closest_counting(tree_, ray, *hit, counts)) hit.reset();
+    return hit;
+}
+
+bool WideTracer::occluded(const Ray& ray, TraversalCounts& counts) const noexcept {
+    return kernels_->any_counting(tree_, ray, counts);
+}
+
+std::size_t WideTracer::intersect_all(const Ray& ray, std::span<Hit> hits,
+                                      const Hit* after) const noexcept {
+    return kernels_->first(tree_, ray, hits, after);
+}
+
+std::uint64_t WideTracer::count_hits(const Ray& ray) const noexcept {
+    return trace::count_hits(
+        [&](std::span<Hit> hits, const Hit* after) { return intersect_all(ray, hits, after); });
+}
+
+void WideTracer::intersect(std::span<const Ray> rays, std::span<Hit> hits, int threads) const {
+    trace::for_each_ray(rays.size(), hits.size(), threads, [&](std::size_t i) {
+        if (!kernels_->closest(tree_, rays[i], hits[i])) hits[i] = Hit{};
+    });
+}
+
+void WideTracer::occluded(std::span<const Ray> rays, std::span<bool> is_occluded,
+                          int threads) const {
+    trace::for_each_ray(rays.size(), is_occluded.size(), threads,
+                        [&](std::size_t i) { is_occluded[i] = kernels_->any(tree_, rays[i]); });
 }
 
 }  // namespace coppice

@@ -8,7 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <memory>
+#include <vector>
 
 namespace coppice::test {
 namespace {
@@ -73,6 +76,96 @@ TEST_P(EveryIsa, KeepsToTheLimitsOfTheRay) {
     EXPECT_FALSE(tracer.occluded({{0.1F, 0.2F, 0}, up, 0.0F, std::nextafter(2.0F, 0.0F)}));
     EXPECT_FALSE(tracer.occluded({{0.1F, 0.2F, 0}, up, std::nextafter(2.0F, 3.0F), 9.0F}));
     EXPECT_TRUE(tracer.occluded({{0.1F, 0.2F, 5}, up, -4.0F, 0.0F})) << "behind, but on the ray";
+}
+
+// Hits of a stack of sheets, of which some share their distance, found by brute force.
+std::vector<Hit> all_hits(const TriangleMesh& mesh, const Ray& ray) {
+    std::vector<Hit> hits;
+    for (std::uint32_t id = 0; id < mesh.view().size(); ++id) {
+        if (const auto hit = intersect_triangle(ray, mesh.view().triangle(id))) {
+            hits.push_back(*hit);
+            hits.back().prim = id;
+        }
+    }
+    std::ranges::sort(hits, [](const Hit& a, const Hit& b) {
+        return a.t != b.t ? a.t < b.t : a.prim < b.prim;
+    });
+    return hits;
+}
+
+TriangleMesh make_stack() {
+    TriangleMesh stack;
+    for (const float height : {3.0F, 1.0F, 2.0F, 1.0F, 2.5F, 1.0F}) {
+        append(stack, make_sheet(6, {-1, -1, height}, {0.3F, 0, 0}, {0, 0.3F, 0}));
+    }
+    return stack;
+}
+
+TEST_P(EveryIsa, FindsAllHitsInOrderAndGoesOn) {
+    const TriangleMesh mesh = make_stack();
+    const WideTracer tracer = make_tracer(mesh);
+    Random random(3);
+    for (int i = 0; i < 200; ++i) {
+        // Every third ray goes through corners: there, hits of one distance have many ids.
+        const Vec3f target = i % 3 == 0 ? mesh.vertices[random.below(mesh.vertices.size())]
+                                        : Vec3f{0.5F * random.unit(), 0.5F * random.unit(), 1};
+        const Ray ray = ray_through({0.1F, 0.05F, -1}, target);
+        const std::vector<Hit> expected = all_hits(mesh, ray);
+        EXPECT_EQ(tracer.count_hits(ray), expected.size());
+        for (const std::size_t at_once : {1U, 4U, 100U}) {
+            std::vector<Hit> buffer(at_once);
+            std::vector<Hit> found;
+            std::size_t count = tracer.intersect_all(ray, buffer);
+            while (count > 0) {
+                found.insert(found.end(), buffer.begin(), buffer.begin() + count);
+                if (count < at_once) break;
+                count = tracer.intersect_all(ray, buffer, &found.back());
+            }
+            ASSERT_EQ(found, expected) << at_once << " at once, ray " << i;
+        }
+    }
+}
+
+TEST_P(EveryIsa, CountsMoreHitsThanItKeeps) {
+    const TriangleMesh mesh = make_copies_of_one_triangle(1000);
+    EXPECT_EQ(make_tracer(mesh).count_hits(ray_through({0.1F, 0.1F, -1}, mesh_center(mesh))), 1000);
+}
+
+TEST_P(EveryIsa, BatchesAreWhatSingleRaysAre) {
+    const TriangleMesh mesh = make_sphere(20, 21);
+    const WideTracer tracer = make_tracer(mesh);
+    Random random(5);
+    std::vector<Ray> rays(5000);
+    for (Ray& ray : rays) {
+        ray = {2.0F * to_float(random.direction()), to_float(random.direction())};
+    }
+    for (const int threads : {1, 2, 0}) {
+        std::vector<Hit> hits(rays.size());
+        const auto is_occluded = std::make_unique<bool[]>(rays.size());
+        tracer.intersect(rays, hits, threads);
+        tracer.occluded(rays, {is_occluded.get(), rays.size()}, threads);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            ASSERT_EQ(hits[i], tracer.intersect(rays[i]).value_or(Hit{}));
+            ASSERT_EQ(is_occluded[i], tracer.occluded(rays[i]));
+        }
+    }
+    std::vector<Hit> too_few(rays.size() - 1);
+    EXPECT_EQ(error_of([&] { tracer.intersect(rays, too_few); }),
+              "5000 rays, but room for 4999 results");
+}
+
+TEST_P(EveryIsa, CountsWhatItDoes) {
+    const TriangleMesh mesh = make_sphere(20, 21);
+    const WideTracer tracer = make_tracer(mesh);
+    TraversalCounts counts;
+    EXPECT_TRUE(tracer.intersect({{0, 0, 0}, {0.3F, 0.2F, 1}}, counts).has_value());
+    EXPECT_GE(counts.nodes, 1U);
+    EXPECT_GE(counts.leaves, 1U);
+    EXPECT_GE(counts.primitives, 8 * counts.leaves);
+    const TraversalCounts one_ray = counts;
+    EXPECT_FALSE(tracer.occluded({{9, 9, 9}, {1, 1, 1}}, counts));
+    EXPECT_EQ(counts.nodes, one_ray.nodes + 1) << "the root, and no more";
+    EXPECT_EQ(counts.leaves, one_ray.leaves);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EveryIsa,

@@ -2,7 +2,10 @@
 
 #include "coppice/geom/vec3.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -27,13 +30,35 @@ struct Ray {
            ray.t_min <= ray.t_max && ray.t_max >= 0.0F;
 }
 
+/// The axes x, y, z as a ray sees them: that of its direction's longest component (the first of
+/// equals) becomes z, the others follow in cyclic order.
+struct RayAxes {
+    // Without branches: of incoherent rays no processor can predict the longest component.
+    explicit RayAxes(Vec3f direction) noexcept {
+        const float longer = std::max(std::abs(direction.x), std::abs(direction.y));
+        const auto is_z = static_cast<std::size_t>(std::abs(direction.z) > longer);
+        const auto is_y = static_cast<std::size_t>(std::abs(direction.y) > std::abs(direction.x));
+        constexpr std::array<std::size_t, 5> cycle{0, 1, 2, 0, 1};
+        z = 2 * is_z + (1 - is_z) * is_y;
+        x = cycle[z + 1];
+        y = cycle[z + 2];
+    }
+
+    std::size_t x;
+    std::size_t y;
+    std::size_t z;
+};
+
 /// Where a ray meets a primitive. For triangles (u, v) are the barycentric coordinates of the
-/// second and third vertex.
+/// second and third vertex; `normal` is (b - a) x (c - a), which points to the side from which the
+/// corners a, b, c are seen in counter-clockwise order. Its length is twice the triangle's area:
+/// for edges above 1e19 it overflows, for edges below 1e-22 it is 0.
 struct Hit {
     float t = std::numeric_limits<float>::infinity();
     float u = 0.0F;
     float v = 0.0F;
     std::uint32_t prim = 0;
+    Vec3f normal;
 };
 
 }  // namespace coppice

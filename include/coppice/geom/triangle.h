@@ -42,10 +42,7 @@ private:
 
     Vec3d origin_;
     float t_min_;
-    // The ray's axes, longest component last, wound so that a triangle's orientation is kept.
-    std::size_t x_ = 0;
-    std::size_t y_ = 0;
-    std::size_t z_ = 0;
+    RayAxes axes_;
     double shear_x_;
     double shear_y_;
     double scale_z_;

@@ -2,15 +2,22 @@
 
 #include "coppice/base/cpu.h"
 #include "coppice/geom/ray.h"
+#include "coppice/trace/traversal_counts.h"
 #include "coppice/tree/wide_bvh.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 
 namespace coppice {
 
+struct TraceKernels;
+
 /// Traces rays against a wide tree, with the kernels of one instruction set. Hits equal those of
 /// brute_force_intersect() to the bit, the lowest id of equally close ones included. Queries are
-/// reentrant, allocate nothing and never throw; a ray that is not traceable hits nothing.
+/// reentrant and allocate nothing; those of single rays never throw. A ray that is not traceable
+/// hits nothing.
 class WideTracer {
 public:
     /// Keeps the tree's arrays alive. Throws Error(invalid_argument) like choose_isa().
@@ -25,14 +32,32 @@ public:
     /// True if the ray hits any triangle; stops at the first found.
     [[nodiscard]] bool occluded(const Ray& ray) const noexcept;
 
+    /// The same, and adds to `counts` what it took; a primitive is a lane of a tested block.
+    [[nodiscard]] std::optional<Hit> intersect(const Ray& ray,
+                                               TraversalCounts& counts) const noexcept;
+    [[nodiscard]] bool occluded(const Ray& ray, TraversalCounts& counts) const noexcept;
+
+    /// The first `hits.size()` hits in order of t, then of id, that come after `*after`, or from
+    /// the first on without it. Returns how many they are; fewer than asked for means that there
+    /// are no more.
+    std::size_t intersect_all(const Ray& ray, std::span<Hit> hits,
+                              const Hit* after = nullptr) const noexcept;
+
+    /// The number of triangles that the ray hits.
+    [[nodiscard]] std::uint64_t count_hits(const Ray& ray) const noexcept;
+
+    /// The closest hit of each ray; where there is none, a Hit with infinite t. `threads`: 0 for
+    /// all of the machine's. Throws Error(invalid_argument) if the spans differ in length.
+    void intersect(std::span<const Ray> rays, std::span<Hit> hits, int threads = 1) const;
+
+    /// Whether each ray hits anything. The same otherwise.
+    void occluded(std::span<const Ray> rays, std::span<bool> is_occluded, int threads = 1) const;
+
     [[nodiscard]] const WideBvh& tree() const noexcept { return tree_; }
 
 private:
-    using Trace = bool(const WideBvh&, const Ray&, Hit&) noexcept;
-
     WideBvh tree_;
-    Trace* closest_;
-    Trace* any_;
+    const TraceKernels* kernels_;
 };
 
 }  // namespace coppice

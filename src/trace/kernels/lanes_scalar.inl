@@ -36,6 +36,20 @@ inline Lanes operator*(Lanes a, Lanes b) noexcept {
     return each(a, b, [](float x, float y) { return x * y; });
 }
 
+inline Lanes operator/(Lanes a, Lanes b) noexcept {
+    return each(a, b, [](float x, float y) { return x / y; });
+}
+
+// a * b - c, rounded once or twice.
+inline Lanes multiply_subtract(Lanes a, Lanes b, Lanes c) noexcept {
+    return a * b - c;
+}
+
+// a - b * c, rounded once or twice.
+inline Lanes subtract_product(Lanes a, Lanes b, Lanes c) noexcept {
+    return a - b * c;
+}
+
 // The second argument where the first is NaN.
 inline Lanes min(Lanes a, Lanes b) noexcept {
     return each(a, b, [](float x, float y) { return x < y ? x : y; });
@@ -65,4 +79,26 @@ inline unsigned less(Lanes a, Lanes b) noexcept {
         mask |= (a.lane[i] < b.lane[i] ? 1U : 0U) << i;
     }
     return mask;
+}
+
+// Stores eight values, those of the lanes in the mask first.
+template <typename T>
+inline void store_selected(unsigned mask, const std::array<T, 8>& from, T* to) noexcept {
+    for (std::size_t i = 0; i < 8; ++i) {
+        *to = from[i];
+        to += mask >> i & 1U;
+    }
+}
+
+inline void store_selected(unsigned mask, Lanes from, float* to) noexcept {
+    store_selected(mask, from.lane, to);
+}
+
+// The lane in the mask, which is not 0, with the least value.
+inline std::size_t nearest_of(Lanes values, unsigned mask) noexcept {
+    auto nearest = static_cast<std::size_t>(std::countr_zero(mask));
+    for (std::size_t i = nearest + 1; i < 8; ++i) {
+        if ((mask >> i & 1U) != 0 && values.lane[i] < values.lane[nearest]) nearest = i;
+    }
+    return nearest;
 }

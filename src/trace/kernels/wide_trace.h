@@ -2,16 +2,29 @@
 
 #include "coppice/base/cpu.h"
 #include "coppice/geom/ray.h"
+#include "coppice/trace/traversal_counts.h"
 #include "coppice/tree/wide_bvh.h"
+
+#include <cstddef>
+#include <span>
 
 namespace coppice {
 
-/// The traversals of a wide tree for one instruction set. They return whether there is a hit and
-/// fill it in.
+/// The traversals of a wide tree for one instruction set. Rays that are not traceable hit nothing.
 struct TraceKernels {
+    /// Whether there is a hit, and then the closest.
     bool (*closest)(const WideBvh&, const Ray&, Hit&) noexcept;
-    bool (*any)(const WideBvh&, const Ray&, Hit&) noexcept;
+    bool (*any)(const WideBvh&, const Ray&) noexcept;
+    /// How many of the first hits after a given one, or of all, it put in order into the span.
+    std::size_t (*first)(const WideBvh&, const Ray&, std::span<Hit>, const Hit* after) noexcept;
+    bool (*closest_counting)(const WideBvh&, const Ray&, Hit&, TraversalCounts&) noexcept;
+    bool (*any_counting)(const WideBvh&, const Ray&, TraversalCounts&) noexcept;
 };
+
+/// True if the ray, which is traceable, hits one triangle of a block at a t of at most t_max, and
+/// then the hit: by TriangleTest.
+[[nodiscard]] bool decide_alone(const TriangleBlock& block, std::size_t lane, const Ray& ray,
+                                float t_max, Hit& hit) noexcept;
 
 /// The traversals for an instruction set that this processor has.
 [[nodiscard]] const TraceKernels& trace_kernels_for(Isa isa) noexcept;

@@ -2,9 +2,8 @@
 
 #if defined(__x86_64__)
 
-#include "coppice/geom/triangle.h"
-
 #include "base/isa.h"
+#include "trace/insert_hit.h"
 
 #include <immintrin.h>
 
@@ -13,8 +12,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <optional>
-#include <utility>
+#include <span>
 
 namespace coppice {
 
@@ -22,8 +20,15 @@ COPPICE_BEGIN_AVX2
 
 namespace {
 
+// Each of these builds on those before.
+// clang-format off
 #include "trace/kernels/lanes_avx2.inl"
+#include "trace/kernels/decide_avx2.inl"
+#include "trace/kernels/wide_boxes.inl"
+#include "trace/kernels/wide_triangles.inl"
+#include "trace/kernels/wide_queries.inl"
 #include "trace/kernels/wide_trace.inl"
+// clang-format on
 
 }  // namespace
 

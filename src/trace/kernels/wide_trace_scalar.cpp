@@ -1,5 +1,4 @@
-#include "coppice/geom/triangle.h"
-
+#include "trace/insert_hit.h"
 #include "trace/kernels/wide_trace.h"
 
 #include <algorithm>
@@ -7,14 +6,20 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <optional>
-#include <utility>
+#include <span>
 
 namespace coppice {
 namespace {
 
+// Each of these builds on those before.
+// clang-format off
 #include "trace/kernels/lanes_scalar.inl"
+#include "trace/kernels/decide_scalar.inl"
+#include "trace/kernels/wide_boxes.inl"
+#include "trace/kernels/wide_triangles.inl"
+#include "trace/kernels/wide_queries.inl"
 #include "trace/kernels/wide_trace.inl"
+// clang-format on
 
 }  // namespace
 

@@ -1,0 +1,170 @@
+// How a ray meets the eight children of a wide node: part of a traversal's kernels, included after an
+// instruction set's lanes_*.inl.
+//
+// All eight boxes are cut with the ray at once, and intervals are widened by more than rounding can
+// do to them [Ize2013], so that no box which the ray touches is passed over. Two ways:
+// - QuickRay, for nearly all rays: t = bound * inverse - origin * inverse, one operation a plane.
+//   The difference may cancel: its error is relative to origin * inverse, so that boxes are in effect
+//   widened by 8 units of rounding of the origin's coordinates, besides those of t.
+// - CarefulRay, for the others: t = (bound - origin) * inverse, which is exact to 3 units of rounding
+//   for any origin. A direction component of zero (or -0) gives infinite distances, or NaN where the
+//   origin lies in the plane of a face; minimum and maximum then take their second argument, so such
+//   a face does not cut. Of distances of either sign, as a t_min below 0 allows, both ends are widened.
+
+struct Lanes3 {
+    Lanes x;
+    Lanes y;
+    Lanes z;
+};
+
+inline Lanes3 operator-(const Lanes3& a, const Lanes3& b) noexcept {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+inline Lanes3 broadcast(Vec3f v) noexcept {
+    return {broadcast(v.x), broadcast(v.y), broadcast(v.z)};
+}
+
+// More than all that rounding does to a distance.
+constexpr float shrink = 1.0F - 0x1.0p-21F;
+constexpr float grow = 1.0F + 0x1.0p-21F;
+
+// The reciprocal of a direction's component, or NaN where it or a distance to a box could overflow:
+// then nothing is cut on that axis.
+inline float inverse_of(Axis axis, const Ray& ray, const Aabb& bounds) noexcept {
+    constexpr float far = 0x1.0p126F;
+    const float direction = ray.direction[axis];
+    const bool is_tiny = direction != 0.0F && std::abs(direction) < 0x1.0p-100F;
+    const bool is_near = std::abs(ray.origin[axis]) < far && bounds.lower[axis] > -far &&
+                         bounds.upper[axis] < far;
+    return is_near && !is_tiny ? 1.0F / direction : std::numeric_limits<float>::quiet_NaN();
+}
+
+// Byte offsets in a WideNode of the rows of bounds that a ray comes to first and last on each axis.
+struct RowOffsets {
+    explicit RowOffsets(Vec3f direction) noexcept
+        : x(offset_of_near(0, direction.x)),
+          y(offset_of_near(1, direction.y)),
+          z(offset_of_near(2, direction.z)) {}
+
+    static constexpr std::size_t row_size = sizeof(WideNode::bound[0]);
+
+    static std::size_t offset_of_near(std::size_t axis, float direction) noexcept {
+        return row_size * (axis + (std::signbit(direction) ? 3 : 0));
+    }
+
+    static constexpr std::size_t far_of(std::size_t axis, std::size_t near) noexcept {
+        return row_size * (2 * axis + 3) - near;
+    }
+
+    std::size_t x;
+    std::size_t y;
+    std::size_t z;
+};
+
+inline Lanes load_row(const WideNode& node, std::size_t offset) noexcept {
+    return load(*reinterpret_cast<const std::array<float, wide_width>*>(
+        reinterpret_cast<const char*>(node.bound.data()) + offset));
+}
+
+struct BoxHits {
+    unsigned mask;
+    Lanes enter;
+};
+
+// Whether products with the ray's origin and inverse direction, and with the bounds of all boxes,
+// neither overflow nor are NaN, and nothing behind the origin matters.
+inline bool is_quick(const Ray& ray, const Aabb& bounds) noexcept {
+    constexpr float far = 0x1.0p60F;
+    const auto is_near = [](Vec3f v) {
+        return std::abs(v.x) <= far && std::abs(v.y) <= far && std::abs(v.z) <= far;
+    };
+    const auto is_plain = [](float d) { return std::abs(d) >= 1.0F / far && std::abs(d) <= far; };
+    return is_near(ray.origin) && is_plain(ray.direction.x) && is_plain(ray.direction.y) &&
+           is_plain(ray.direction.z) && ray.t_min >= 0.0F && is_near(bounds.lower) &&
+           is_near(bounds.upper);
+}
+
+// Of a ray that is_quick() in a tree's bounds. Never meets an empty child: its bounds are infinite
+// the wrong way round.
+struct QuickRay {
+    static constexpr bool never_meets_empty = true;
+
+    explicit QuickRay(const Ray& ray) noexcept : near_row(ray.direction) {
+        const Vec3f inverse{1.0F / ray.direction.x, 1.0F / ray.direction.y,
+                            1.0F / ray.direction.z};
+        const Vec3f slack{slack_of(ray.origin.x * inverse.x), slack_of(ray.origin.y * inverse.y),
+                          slack_of(ray.origin.z * inverse.z)};
+        to_near = broadcast(shrink * inverse);
+        to_far = broadcast(grow * inverse);
+        near_at_0 = broadcast(by_axis(ray.origin, shrink * inverse) + slack);
+        far_at_0 = broadcast(by_axis(ray.origin, grow * inverse) - slack);
+    }
+
+    static float slack_of(float product) noexcept { return 0x1.0p-21F * std::abs(product); }
+
+    static Vec3f by_axis(Vec3f a, Vec3f b) noexcept { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+
+    // The children whose boxes the ray meets between enter and exit.
+    BoxHits meet(const WideNode& node, Lanes enter, Lanes exit) const noexcept {
+        const auto near = [&](std::size_t row, Lanes inverse, Lanes at_0) {
+            return multiply_subtract(load_row(node, row), inverse, at_0);
+        };
+        const auto far = [&](std::size_t axis, std::size_t row, Lanes inverse, Lanes at_0) {
+            return multiply_subtract(load_row(node, RowOffsets::far_of(axis, row)), inverse, at_0);
+        };
+        enter = max(max(near(near_row.x, to_near.x, near_at_0.x),
+                        near(near_row.y, to_near.y, near_at_0.y)),
+                    max(near(near_row.z, to_near.z, near_at_0.z), enter));
+        exit = min(min(far(0, near_row.x, to_far.x, far_at_0.x),
+                       far(1, near_row.y, to_far.y, far_at_0.y)),
+                   min(far(2, near_row.z, to_far.z, far_at_0.z), exit));
+        return {less_equal(enter, exit), enter};
+    }
+
+    RowOffsets near_row;
+    Lanes3 to_near;
+    Lanes3 to_far;
+    Lanes3 near_at_0;
+    Lanes3 far_at_0;
+};
+
+// Of any traceable ray.
+struct CarefulRay {
+    static constexpr bool never_meets_empty = false;
+
+    CarefulRay(const Ray& ray, const Aabb& bounds) noexcept
+        : near_row(ray.direction),
+          origin(broadcast(ray.origin)),
+          inverse(broadcast(Vec3f{inverse_of(Axis::x, ray, bounds), inverse_of(Axis::y, ray, bounds),
+                                  inverse_of(Axis::z, ray, bounds)})) {}
+
+    // The children whose boxes the ray may meet between enter and exit, at distances of either sign.
+    // Empty ones only if no axis cuts.
+    BoxHits meet(const WideNode& node, Lanes enter, Lanes exit) const noexcept {
+        const Lanes low = broadcast(shrink * shrink);
+        const Lanes high = broadcast(grow * grow);
+        const auto distance = [&](std::size_t row, Lanes from, Lanes per_unit) {
+            return (load_row(node, row) - from) * per_unit;
+        };
+        const auto near = [&](std::size_t row, Lanes from, Lanes per_unit) {
+            const Lanes t = distance(row, from, per_unit);
+            return min(t * low, t * high);
+        };
+        const auto far = [&](std::size_t axis, std::size_t row, Lanes from, Lanes per_unit) {
+            const Lanes t = distance(RowOffsets::far_of(axis, row), from, per_unit);
+            return max(t * low, t * high);
+        };
+        // Two by two: of a NaN the second argument is left, at worst less is cut.
+        enter = max(max(near(near_row.x, origin.x, inverse.x), near(near_row.y, origin.y, inverse.y)),
+                    max(near(near_row.z, origin.z, inverse.z), enter));
+        exit = min(min(far(0, near_row.x, origin.x, inverse.x),
+                       far(1, near_row.y, origin.y, inverse.y)),
+                   min(far(2, near_row.z, origin.z, inverse.z), exit));
+        return {less_equal(enter, exit), enter};
+    }
+
+    RowOffsets near_row;
+    Lanes3 origin;
+    Lanes3 inverse;
+};
