@@ -5,6 +5,7 @@
 
 #include "options.h"
 
+#include <cmath>
 #include <limits>
 
 namespace coppice::app {
@@ -28,24 +29,45 @@ CLI::Option* add_sampler(CLI::App& parser, std::string& sampler) {
                     sampler, names_in(sampler_registry()));
 }
 
-void add_method(CLI::App& parser, std::string& method) {
-    method = "auto";
-    add_name(parser,
-             {"--method", "NAME", listing("How it is built", names_in(method_registry())), method},
-             method, names_in(method_registry()));
-}
-
-void add_sample(CLI::App& parser, std::optional<double>& rate) {
-    const auto read = [&rate](const std::string& given) { rate = parse_share("--sample", given); };
-    parser
-        .add_option_function<std::string>("--sample", read,
-                                          "Share of the primitives that is sampled: 1% or 0.01")
-        ->type_name("SHARE")
-        ->default_str("the method's");
-}
-
 void add_threads(CLI::App& parser, int& threads) {
     add_whole(parser, {"--threads", "N", "Use at most N threads; 0 = all", "0"}, threads, 0, 1024);
+}
+
+void add_method(CLI::App& parser, MethodRequest& request, const std::string& seed_meaning) {
+    add_name(parser,
+             {"--method", "NAME", listing("How it is built", names_in(method_registry())),
+              request.method},
+             request.method, names_in(method_registry()));
+    parser
+        .add_option_function<std::string>(
+            "--sample",
+            [&request](const std::string& given) { request.rate = parse_share("--sample", given); },
+            "Share of the primitives that is sampled: 1% or 0.01")
+        ->type_name("SHARE")
+        ->default_str("the method's");
+    add_sampler(parser, request.sampler)->default_str("the method's");
+    add_whole(parser, {"--seed", "N", seed_meaning, "1"}, request.seed, 0,
+              std::numeric_limits<std::int64_t>::max());
+    add_costs(parser, request.cost);
+    for (const char* name : {"--traversal-cost", "--intersection-cost", "--empty-bonus"}) {
+        parser.get_option(name)->default_str("the method's");
+    }
+    add_threads(parser, request.threads);
+}
+
+BuildOptions options_of(const MethodRequest& request) {
+    BuildOptions options = find_method(request.method).options();
+    if (request.rate) options.sample.rate = *request.rate;
+    if (!request.sampler.empty()) options.sample.sampler = request.sampler;
+    options.sample.seed = request.seed;
+    const auto take = [](double given, double& value) {
+        if (!std::isnan(given)) value = given;
+    };
+    take(request.cost.traversal, options.cost.traversal);
+    take(request.cost.intersection, options.cost.intersection);
+    take(request.cost.empty_bonus, options.cost.empty_bonus);
+    options.threads = request.threads;
+    return options;
 }
 
 }  // namespace coppice::app

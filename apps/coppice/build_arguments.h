@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -18,13 +20,25 @@ void add_costs(CLI::App& parser, SahCostModel& cost);
 /// --sampler.
 CLI::Option* add_sampler(CLI::App& parser, std::string& sampler);
 
-/// --method; the default is the library's.
-void add_method(CLI::App& parser, std::string& method);
-
-/// --sample, the share that the method would choose otherwise.
-void add_sample(CLI::App& parser, std::optional<double>& rate);
-
 /// --threads.
 void add_threads(CLI::App& parser, int& threads);
+
+/// A method, and what is to be different from it.
+struct MethodRequest {
+    static constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
+
+    std::string method = "auto";
+    std::optional<double> rate;
+    std::string sampler;
+    std::uint64_t seed = 1;
+    SahCostModel cost{not_given, not_given, not_given};
+    int threads = 0;
+};
+
+/// All options above, and --method, --sample and --seed, which `seed_meaning` is shown for.
+void add_method(CLI::App& parser, MethodRequest& request, const std::string& seed_meaning);
+
+/// The options of a build that a request asks for: the method's own where nothing is given.
+[[nodiscard]] BuildOptions options_of(const MethodRequest& request);
 
 }  // namespace coppice::app

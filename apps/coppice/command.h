@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -17,11 +18,18 @@ struct Command {
     std::function<void(Output&)> run;
 };
 
+/// A check that did not hold, after all that it found was printed. Exit code 1.
+class CheckFailed : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
 /// Each adds one command to the program's parser. `arguments` is the program's argument list.
 [[nodiscard]] Command add_experiment(CLI::App& program, const std::vector<std::string>& arguments);
 [[nodiscard]] Command add_build(CLI::App& program);
 [[nodiscard]] Command add_bench(CLI::App& program);
 [[nodiscard]] Command add_render(CLI::App& program);
+[[nodiscard]] Command add_trace(CLI::App& program);
 [[nodiscard]] Command add_info(CLI::App& program);
 [[nodiscard]] Command add_list(CLI::App& program);
 [[nodiscard]] Command add_generate(CLI::App& program);

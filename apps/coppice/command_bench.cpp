@@ -4,10 +4,10 @@
 
 #include "command.h"
 #include "interrupts.h"
+#include "json_file.h"
 #include "lab/bench.h"
 #include "lab/contestant.h"
 #include "lab/named.h"
-#include "lab/output_folder.h"
 #include "lab/progress_line.h"
 #include "options.h"
 #include "view_arguments.h"
@@ -17,7 +17,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 
 namespace coppice::app {
@@ -71,10 +70,10 @@ void add_how(CLI::App& parser, lab::BenchOptions& options) {
               1, lab::BenchOptions::max_runs);
     add_list_option(
         parser,
-        {"--rays", "LIST", "Kinds of rays: " + lab::names_of(lab::ray_kind_registry()),
+        {"--rays", "LIST", "Kinds of rays: " + lab::names_of(lab::rendering_ray_kinds()),
          "primary,shadow,diffuse"},
         [&options](const std::vector<std::string>& texts) {
-            const auto registry = lab::ray_kind_registry();
+            const auto registry = lab::rendering_ray_kinds();
             options.rays.clear();
             for (const std::string& name : parse_list("--rays", texts, "primary,diffuse")) {
                 require_name("--rays", name, names_in(registry));
@@ -91,26 +90,10 @@ void add_view(CLI::App& parser, lab::BenchOptions& options) {
               std::numeric_limits<std::int64_t>::max());
 }
 
-std::filesystem::path folder_of(const std::filesystem::path& file) {
-    return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-}
-
-void check_output(const std::filesystem::path& file) {
-    const std::string name = file.filename().string();
-    if (name.empty()) throw UsageError("--json: no file is named; example: --json bench.json");
-    const DeferInterrupts no_trace;
-    lab::check_writable(folder_of(file), std::array{std::string_view(name)});
-}
-
-void write_output(const std::filesystem::path& file, const std::string& text) {
-    const DeferInterrupts whole_file;
-    lab::write_all(folder_of(file), std::array{lab::OutputFile{file.filename().string(), text}});
-}
-
 void run_request(Request& request, Output& output) {
     lab::BenchOptions& options = request.options;
     options.scenes.assign(request.scenes.begin(), request.scenes.end());
-    if (!request.json.empty()) check_output(request.json);
+    if (!request.json.empty()) check_json_file(request.json);
 
     lab::ProgressLine progress(stderr);
     lab::BenchObserver observer;
@@ -127,7 +110,7 @@ void run_request(Request& request, Output& output) {
         output.print(ratios);
     }
     if (request.json.empty()) return;
-    write_output(request.json, lab::bench_document(options, result).dump(2) + '\n');
+    write_json_file(request.json, lab::bench_document(options, result));
     output.print(fmt::format("written: {}\n", request.json));
 }
 

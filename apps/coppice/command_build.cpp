@@ -16,42 +16,18 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
-#include <limits>
 #include <memory>
 
 namespace coppice::app {
 
 namespace {
 
-constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
-
-/// The options as the parser fills them in; what is not given is the method's own.
+/// The options as the parser fills them in.
 struct Request {
     std::vector<std::string> scenes;
-    std::string method;
-    std::optional<double> rate;
-    std::string sampler;
-    std::uint64_t seed = 1;
-    SahCostModel cost{not_given, not_given, not_given};
-    int threads = 0;
+    MethodRequest build;
     bool as_json = false;
 };
-
-BuildOptions options_of(const Request& request, const Method& method) {
-    BuildOptions options = method.options();
-    if (request.rate) options.sample.rate = *request.rate;
-    if (!request.sampler.empty()) options.sample.sampler = request.sampler;
-    options.sample.seed = request.seed;
-    const auto take = [](double given, double& value) {
-        if (!std::isnan(given)) value = given;
-    };
-    take(request.cost.traversal, options.cost.traversal);
-    take(request.cost.intersection, options.cost.intersection);
-    take(request.cost.empty_bonus, options.cost.empty_bonus);
-    options.threads = request.threads;
-    return options;
-}
 
 Estimate estimate(const Method& method, const BuildOptions& options, const TriangleMesh& mesh) {
     return method.tree == TreeKind::kd ? estimate_kd_tree(mesh.view(), options)
@@ -70,8 +46,8 @@ BuildReport build(const Method& method, const BuildOptions& options, const Trian
 }
 
 void run_request(const Request& request, Output& output) {
-    const Method& method = find_method(request.method);
-    const BuildOptions options = options_of(request, method);
+    const Method& method = find_method(request.build.method);
+    const BuildOptions options = options_of(request.build);
     const std::vector<std::filesystem::path> files(request.scenes.begin(), request.scenes.end());
     const std::vector<std::string> names = lab::scene_names(files);
     auto scenes = nlohmann::ordered_json::array();
@@ -109,16 +85,7 @@ Command add_build(CLI::App& program) {
     parser->allow_extras();
     const auto request = std::make_shared<Request>();
     add_scenes(*parser, request->scenes);
-    add_method(*parser, request->method);
-    add_sample(*parser, request->rate);
-    add_sampler(*parser, request->sampler)->default_str("the method's");
-    add_whole(*parser, {"--seed", "N", "Same seed, same sample", "1"}, request->seed, 0,
-              std::numeric_limits<std::int64_t>::max());
-    add_costs(*parser, request->cost);
-    for (const char* name : {"--traversal-cost", "--intersection-cost", "--empty-bonus"}) {
-        parser->get_option(name)->default_str("the method's");
-    }
-    add_threads(*parser, request->threads);
+    add_method(*parser, request->build, "Same seed, same sample");
     add_switch(*parser, "--json", "Print JSON instead of text",
                [request] { request->as_json = true; });
     parser->footer(

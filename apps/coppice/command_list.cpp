@@ -9,6 +9,7 @@
 #include "lab/experiment_options.h"
 #include "lab/procedural.h"
 #include "lab/protocol.h"
+#include "lab/ray_sets.h"
 #include "options.h"
 #include "render/integrator.h"
 
@@ -43,6 +44,8 @@ std::vector<Section> all_sections() {
         make_section("methods", "Methods (--method, --methods)", method_registry()),
         make_section("integrators", "Integrators (coppice render)", render::integrator_registry()),
         make_section("peers", "Peers (coppice bench)", lab::peer_registry()),
+        make_section("rays", "Rays (coppice trace; coppice bench: the first three)",
+                     lab::ray_kind_registry()),
         make_section("splits", "Split rules (--split)", split_finder_registry()),
         make_section("samplers", "Samplers (--sampler)", sampler_registry()),
         make_section("procedural_scenes", "Procedural scenes (coppice generate)",

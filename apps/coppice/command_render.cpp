@@ -47,9 +47,7 @@ struct Request {
     render::Lamp lamp;
     std::optional<Vec3f> sky;
     render::DevelopOptions develop{.cost_scale = 0.0};  // 0: by the image
-    std::string method;
-    std::optional<double> rate;
-    std::string sampler;
+    MethodRequest build;
     bool as_json = false;
 };
 
@@ -70,8 +68,6 @@ void add_image(CLI::App& parser, Request& request) {
         ->default_str("1280x720");
     add_whole(parser, {"--spp", "N", "Samples per pixel", "16"}, request.options.samples, 1,
               render::RenderOptions::max_samples);
-    add_whole(parser, {"--seed", "N", "Same seed, same image", "1"}, request.options.seed, 0,
-              std::numeric_limits<std::int64_t>::max());
     add_number(parser, {"--exposure", "STOPS", "Brighter by so many factors of 2 (.png)", "0"},
                request.develop.exposure, {-100.0, 100.0, "a number in [-100, 100]"});
     add_number(parser,
@@ -114,15 +110,6 @@ void add_light(CLI::App& parser, Request& request) {
                request.integrator_options.ao_distance,
                {0.0, infinity, "a finite number > 0", false});
     parser.get_option("--ao-distance")->default_str("a tenth of the scene");
-}
-
-BuildOptions build_options_of(const Request& request, const Method& method) {
-    BuildOptions options = method.options();
-    if (request.rate) options.sample.rate = *request.rate;
-    if (!request.sampler.empty()) options.sample.sampler = request.sampler;
-    options.sample.seed = request.options.seed;
-    options.threads = request.options.threads;
-    return options;
 }
 
 void check_output(const std::string& out) {
@@ -209,10 +196,10 @@ render::RenderResult render_scene(const Request& request, render::RenderReport& 
         render::CameraRays(report.camera, request.options.width, request.options.height));
 
     progress.show(report.scene + ": building");
-    const Method& method = find_method(request.method);
+    const Method& method = find_method(request.build.method);
     report.tree = method.tree;
     const auto tracer =
-        render::build_tracer(method, build_options_of(request, method), mesh.view(), &report.build);
+        render::build_tracer(method, options_of(request.build), mesh.view(), &report.build);
     const render::View view{tracer.get(), mesh.view(), &attributes, &lighting};
     const auto integrator =
         render::find_integrator(request.integrator).make(report.integrator_options);
@@ -301,10 +288,7 @@ Command add_render(CLI::App& program) {
     add_image(*parser, *request);
     add_camera(*parser, request->camera);
     add_light(*parser, *request);
-    add_method(*parser, request->method);
-    add_sample(*parser, request->rate);
-    add_sampler(*parser, request->sampler)->default_str("the method's");
-    add_threads(*parser, request->options.threads);
+    add_method(*parser, request->build, "Same seed, same image and sample");
     add_switch(*parser, "--json", "Print JSON instead of text",
                [request] { request->as_json = true; });
     parser->footer(
@@ -315,6 +299,8 @@ Command add_render(CLI::App& program) {
         "The camera that is chosen is printed as options, to go on from.");
     return {parser, [parser, request](Output& output) {
                 check_request(*parser, *request);
+                request->options.seed = request->build.seed;
+                request->options.threads = request->build.threads;
                 wipe_line_on_interrupt();
                 run_request(*request, output);
             }};

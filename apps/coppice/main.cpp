@@ -116,6 +116,7 @@ int run_program(int argument_count, char** argument_texts) {
                                         add_build(program),
                                         add_bench(program),
                                         add_render(program),
+                                        add_trace(program),
                                         add_info(program),
                                         add_list(program),
                                         add_generate(program)};
@@ -127,6 +128,7 @@ int run_program(int argument_count, char** argument_texts) {
         "  coppice build terrain.obj\n"
         "  coppice bench terrain.obj\n"
         "  coppice render terrain.obj -o terrain.png\n"
+        "  coppice trace terrain.obj --count\n"
         "  coppice experiment --help");
     try {
         program.parse(argument_count, argument_texts);
@@ -160,6 +162,8 @@ int main(int argument_count, char** arguments) {
     } catch (const app::UsageError& error) {
         app::print_message(error.what());
         return app::wrong_use;
+    } catch (const app::CheckFailed& error) {
+        app::print_message(error.what());
     } catch (const Error& error) {
         app::print_message(error.what());
     } catch (const app::Interrupted& cut_short) {

@@ -6,7 +6,7 @@
 
 namespace coppice::app {
 
-/// The options of a camera: --eye, --look-at, --up and --fov. What is not given is left open.
+/// --eye, --look-at, --up and --fov: what is given of a camera.
 void add_camera(CLI::App& parser, render::CameraWish& camera);
 
 }  // namespace coppice::app

@@ -1,24 +1,62 @@
+// All queries by testing every triangle, with the same test as the traversals and nothing else of
+// theirs.
+
 #include "coppice/trace/brute_force.h"
 
+#include "coppice/geom/triangle.h"
+
+#include "trace/hit_list.h"
+
 namespace coppice {
+namespace {
+
+// Calls `take(hit)` for every triangle that is hit, by id, until it returns true.
+template <typename Take>
+void for_each_hit(TriangleMeshView mesh, const Ray& ray, Take&& take) noexcept {
+    if (!is_traceable(ray)) return;
+    const TriangleTest test(ray);
+    for (std::uint32_t id = 0; id < mesh.size(); ++id) {
+        auto hit = test(mesh.triangle(id), ray.t_max);
+        if (!hit) continue;
+        hit->prim = id;
+        if (take(*hit)) return;
+    }
+}
+
+}  // namespace
 
 std::optional<Hit> brute_force_intersect(TriangleMeshView mesh, const Ray& ray) noexcept {
     std::optional<Hit> closest;
-    for (std::uint32_t id = 0; id < mesh.size(); ++id) {
-        auto hit = intersect_triangle(ray, mesh.triangle(id));
-        if (hit && (!closest || hit->t < closest->t)) {
-            hit->prim = id;
-            closest = hit;
-        }
-    }
+    for_each_hit(mesh, ray, [&](const Hit& hit) {
+        if (!closest || hit.t < closest->t) closest = hit;
+        return false;
+    });
     return closest;
 }
 
 bool brute_force_occluded(TriangleMeshView mesh, const Ray& ray) noexcept {
-    for (std::uint32_t id = 0; id < mesh.size(); ++id) {
-        if (intersect_triangle(ray, mesh.triangle(id))) return true;
-    }
-    return false;
+    bool is_hit = false;
+    for_each_hit(mesh, ray, [&](const Hit& /*hit*/) { return is_hit = true; });
+    return is_hit;
+}
+
+std::size_t brute_force_intersect_all(TriangleMeshView mesh, const Ray& ray, std::span<Hit> hits,
+                                      const Hit* after) noexcept {
+    HitList list(hits, after);
+    for_each_hit(mesh, ray, [&](const Hit& hit) {
+        list.insert(hit);
+        return false;
+    });
+    return list.size();
+}
+
+std::uint64_t brute_force_count_hits(TriangleMeshView mesh, const Ray& ray) noexcept {
+    std::uint64_t count = 0;
+    for_each_hit(mesh, ray, [&](const Hit& /*hit*/) {
+        ++count;
+        return false;
+    });
+    return count;
 }
 
 }  // namespace coppice

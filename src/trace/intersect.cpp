@@ -1,13 +1,36 @@
 // Ordered traversal of the k-d tree: at each inner node the ray's interval is cut at the plane, the
-// nearer child is visited first and the other waits on a stack. Plane distances are computed in
-// double from float input, so they are off by a few units in the last place of a double; intervals
-// are widened by far more than that, hence no leaf that the ray touches is passed over. A ray
-// parallel to a plane has no distance to it: it visits one side, or both if it lies in the plane.
+// nearer child is visited first and the other waits on a stack. Closest hit, any hit and all hits
+// are one template over what is done with a hit, and counting is a parameter of it.
+//
+// No leaf that the ray touches is passed over:
+// - A plane's distance is (position - origin) * (1 / direction), in double from float input: three
+//   roundings, off by less than 2^-51 of itself. Nothing overflows or vanishes: the numbers are
+//   between 2^-149 and 2^129, reciprocals below 2^149. The ends of intervals are moved outward by
+//   2^-40 of themselves where a plane sets them, which covers their own error and that of the
+//   distances compared with them. So scale does not matter, and neither does the sign of t.
+// - A direction component of 0 has the reciprocal +inf, of -0 it is -inf, and the sign says which
+//   child is the near one. An origin off the plane has the distance +inf, so that the near child
+//   alone is visited, or -inf, so that the far one is: in both cases the side the origin is on. A
+//   ray within the plane has a distance of NaN: it compares false with both ends, both children are
+//   visited, and the minimum and maximum below leave the interval as it is. Both have to be: either
+//   may hold the triangles that touch the plane, or lie in it.
+// - An origin on a plane that the ray leaves has the distance 0, exactly: the near child is visited
+//   if the interval has t <= 0, the far one if it has t >= 0.
+// - Hits count by their t rounded to float; limits are widened by that rounding.
+//
+// The stack cannot overflow: a node is put on it while the ray goes down to its sibling, so those
+// waiting have different depths, the root is never among them, and no tree is deeper than
+// KdTree::max_depth (builders stop there, validate() finds trees that are).
+//
+// Cost: a subtraction, a product and two comparisons for an inner node; a triangle test (in
+// double) for a reference. A triangle of several leaves is tested in each.
 // Source: [Pharr2016] sec. 4.4.3 (ordered traversal with a stack).
 
 #include "coppice/trace/intersect.h"
 
 #include "coppice/geom/triangle.h"
+
+#include "trace/hit_list.h"
 
 #include <algorithm>
 #include <array>
@@ -16,22 +39,13 @@
 namespace coppice {
 namespace {
 
-constexpr int max_stack = KdTree::max_depth + 1;  // one entry a level at most, and the root
+// An end of an interval, moved down or up by more than distances are off.
+double before(double distance) noexcept {
+    return distance - 0x1.0p-40 * std::abs(distance);
+}
 
-struct Interval {
-    double enter;
-    double exit;
-};
-
-struct Entry {
-    std::uint32_t node;
-    Interval interval;
-};
-
-// Distances are off by at most 3 * 2^-53 of themselves.
-Interval widened(double distance) noexcept {
-    const double slack = 0x1.0p-40 * std::abs(distance);
-    return {distance - slack, distance + slack};
+double behind(double distance) noexcept {
+    return distance + 0x1.0p-40 * std::abs(distance);
 }
 
 // How far a distance may be from the float it is rounded to.
@@ -39,102 +53,257 @@ double rounding_of(float t) noexcept {
     return 0x1.0p-22 * std::abs(static_cast<double>(t)) + 0x1.0p-149;
 }
 
-// The part of the ray inside a box, widened; empty (enter > exit) if it misses. Hits count by their
-// rounded t, so those a little outside of t_min and t_max may belong to the ray.
-Interval clip_to_box(const Ray& ray, const Aabb& box) noexcept {
-    Interval inside{ray.t_min - rounding_of(ray.t_min), ray.t_max + rounding_of(ray.t_max)};
-    for (const Axis axis : all_axes) {
-        const double origin = ray.origin[axis];
-        const double direction = ray.direction[axis];
-        if (direction == 0.0) {
-            if (origin < box.lower[axis] || origin > box.upper[axis]) return {1.0, 0.0};
-            continue;
-        }
-        const Interval lower = widened((box.lower[axis] - origin) / direction);
-        const Interval upper = widened((box.upper[axis] - origin) / direction);
-        inside.enter = std::max(inside.enter, std::min(lower.enter, upper.enter));
-        inside.exit = std::min(inside.exit, std::max(lower.exit, upper.exit));
-    }
-    return inside;
-}
-
-// The stack of nodes still to visit. Never overflows: at most one entry a level is pushed.
-class Stack {
-public:
-    void push(std::uint32_t node, Interval interval) noexcept {
-        if (interval.enter <= interval.exit) entries_[size_++] = {node, interval};
-    }
-
-    [[nodiscard]] bool is_empty() const noexcept { return size_ == 0; }
-
-    Entry pop() noexcept { return entries_[--size_]; }
-
-private:
-    std::array<Entry, max_stack> entries_;
-    std::size_t size_ = 0;
+// A part of the ray and the node to look for it in.
+struct Entry {
+    std::uint32_t node;
+    double enter;
+    double exit;
 };
 
-// Puts the children of an inner node that the ray meets on the stack, the nearer one on top.
-void push_children(Stack& stack, const KdNode& node, const Ray& ray, Interval inside) noexcept {
-    const double direction = ray.direction[node.axis()];
-    const double to_plane = static_cast<double>(node.position()) - ray.origin[node.axis()];
-    if (direction == 0.0) {
-        if (to_plane <= 0.0) stack.push(node.upper_child(), inside);
-        if (to_plane >= 0.0) stack.push(node.lower_child(), inside);
-        return;
-    }
-    const Interval plane = widened(to_plane / direction);
-    const std::uint32_t near = direction > 0.0 ? node.lower_child() : node.upper_child();
-    const std::uint32_t far = direction > 0.0 ? node.upper_child() : node.lower_child();
-    stack.push(far, {std::max(inside.enter, plane.enter), inside.exit});
-    stack.push(near, {inside.enter, std::min(inside.exit, plane.exit)});
-}
-
-// Tests the triangles of a leaf; true if the search is over.
-template <bool any_hit>
-bool test_leaf(std::span<const std::uint32_t> ids, TriangleMeshView mesh, const Ray& ray,
-               std::optional<Hit>& closest) noexcept {
-    for (const std::uint32_t id : ids) {
-        auto hit = intersect_triangle(ray, mesh.triangle(id));
-        if (!hit) continue;
-        hit->prim = id;
-        const bool is_closer =
-            !closest || hit->t < closest->t || (hit->t == closest->t && id < closest->prim);
-        if (is_closer) closest = hit;
-        if (any_hit) return true;
-    }
-    return false;
-}
-
-// Closest and any hit in one: the latter stops at the first.
-template <bool any_hit>
-std::optional<Hit> trace(const KdTree& tree, TriangleMeshView mesh, const Ray& ray) noexcept {
-    std::optional<Hit> closest;
-    if (!is_traceable(ray)) return closest;
-    Stack stack;
-    stack.push(0, clip_to_box(ray, tree.bounds()));
-    while (!stack.is_empty()) {
-        const auto [index, inside] = stack.pop();
-        // Hits whose t is rounded to the same may lie a little behind.
-        if (closest && inside.enter > closest->t + rounding_of(closest->t)) continue;
-        const KdNode& node = tree.nodes()[index];
-        if (!node.is_leaf()) {
-            push_children(stack, node, ray, inside);
-        } else if (test_leaf<any_hit>(tree.references(node), mesh, ray, closest)) {
-            break;
+// A ray as planes are met with it, component by axis.
+class PlaneRay {
+public:
+    explicit PlaneRay(const Ray& ray) noexcept {
+        for (const Axis axis : all_axes) {
+            const auto at = static_cast<std::size_t>(axis);
+            origin_[at] = ray.origin[axis];
+            inverse_[at] = 1.0 / static_cast<double>(ray.direction[axis]);
+            near_side_[at] = std::signbit(ray.direction[axis]) ? 1 : 0;
         }
     }
-    return closest;
+
+    // The signed distance, see the head of this file.
+    [[nodiscard]] double distance(Axis axis, float position) const noexcept {
+        const auto at = static_cast<std::size_t>(axis);
+        return (static_cast<double>(position) - origin_[at]) * inverse_[at];
+    }
+
+    // 0 if the ray comes to the side below a plane first, else 1.
+    [[nodiscard]] std::uint32_t near_side(Axis axis) const noexcept {
+        return near_side_[static_cast<std::size_t>(axis)];
+    }
+
+    // The part of the ray inside a box, widened; empty (enter > exit) if it misses. Hits a little
+    // outside of t_min and t_max may be rounded onto them.
+    [[nodiscard]] Entry clip(const Ray& ray, const Aabb& box) const noexcept {
+        Entry inside{0, ray.t_min - rounding_of(ray.t_min), ray.t_max + rounding_of(ray.t_max)};
+        for (const Axis axis : all_axes) {
+            if (ray.direction[axis] == 0.0F) {
+                const bool is_beside =
+                    ray.origin[axis] < box.lower[axis] || ray.origin[axis] > box.upper[axis];
+                if (is_beside) return {0, 1.0, 0.0};
+                continue;
+            }
+            const bool is_down = near_side(axis) == 1;
+            const double near = distance(axis, is_down ? box.upper[axis] : box.lower[axis]);
+            const double far = distance(axis, is_down ? box.lower[axis] : box.upper[axis]);
+            inside.enter = std::max(inside.enter, before(near));
+            inside.exit = std::min(inside.exit, behind(far));
+        }
+        return inside;
+    }
+
+private:
+    std::array<double, 3> origin_;
+    std::array<double, 3> inverse_;
+    std::array<std::uint32_t, 3> near_side_;
+};
+
+// The query for the closest hit or for any: what is done with hits.
+template <bool any_hit>
+class FirstHit {
+public:
+    explicit FirstHit(const Ray& ray) noexcept { hit_.t = ray.t_max; }
+
+    // True if the search is over.
+    bool take(const Hit& hit) noexcept {
+        if (has_hit_ && !is_before(hit, hit_)) return false;
+        hit_ = hit;
+        has_hit_ = true;
+        return any_hit;
+    }
+
+    // Hits behind this are of no use.
+    [[nodiscard]] float t_max() const noexcept { return hit_.t; }
+
+    [[nodiscard]] std::optional<Hit> result() const noexcept {
+        return has_hit_ ? std::optional(hit_) : std::nullopt;
+    }
+
+private:
+    Hit hit_;
+    bool has_hit_ = false;
+};
+
+// The query for the first hits in order.
+class AllHits {
+public:
+    AllHits(const Ray& ray, HitList& list) noexcept : t_max_(ray.t_max), list_(list) {}
+
+    bool take(const Hit& hit) noexcept {
+        list_.insert(hit);
+        if (list_.is_full()) t_max_ = list_.last_distance();
+        return false;
+    }
+
+    [[nodiscard]] float t_max() const noexcept { return t_max_; }
+
+private:
+    float t_max_;
+    HitList& list_;
+};
+
+// Counts nothing, at no cost.
+struct NoCounts {
+    static void add_node() noexcept {}
+
+    static void add_leaf(std::size_t /*primitive_count*/) noexcept {}
+};
+
+struct Counter {
+    void add_node() noexcept { ++counts.nodes; }
+
+    void add_leaf(std::size_t primitive_count) noexcept {
+        ++counts.leaves;
+        counts.primitives += primitive_count;
+    }
+
+    TraversalCounts& counts;
+};
+
+template <typename Query, typename Counts>
+class Traversal {
+public:
+    Traversal(const KdTree& tree, TriangleMeshView mesh, const Ray& ray, Query& query,
+              Counts counts) noexcept
+        : tree_(tree),
+          mesh_(mesh),
+          ray_(ray),
+          planes_(ray),
+          test_(ray),
+          query_(query),
+          counts_(counts) {}
+
+    void run() noexcept {
+        Entry at = planes_.clip(ray_, tree_.bounds());
+        if (!(at.enter <= at.exit)) return;
+        do {
+            const KdNode node = go_down(at);
+            if (visit_leaf(node)) return;
+        } while (pop(at));
+    }
+
+private:
+    // Goes to the first leaf that the ray meets at or below a node; siblings of nodes on the way
+    // that it meets later go onto the stack.
+    KdNode go_down(Entry& at) noexcept {
+        const KdNode* nodes = tree_.nodes().data();
+        KdNode node = nodes[at.node];
+        while (!node.is_leaf()) {
+            counts_.add_node();
+            const Axis axis = node.axis();
+            const double to_plane = planes_.distance(axis, node.position());
+            const std::uint32_t near = node.lower_child() + planes_.near_side(axis);
+            const std::uint32_t far = node.upper_child() - planes_.near_side(axis);
+            if (to_plane > at.exit) {
+                at.node = near;
+            } else if (to_plane < at.enter) {
+                at.node = far;
+            } else {
+                // In this order a NaN gives the interval's own end.
+                stack_[size_++] = {far, std::max(at.enter, before(to_plane)), at.exit};
+                at.node = near;
+                at.exit = std::min(at.exit, behind(to_plane));
+            }
+            node = nodes[at.node];
+        }
+        return node;
+    }
+
+    // True if the search is over.
+    bool visit_leaf(const KdNode& leaf) noexcept {
+        const auto ids = tree_.references(leaf);
+        counts_.add_leaf(ids.size());
+        for (const std::uint32_t id : ids) {
+            auto hit = test_(mesh_.triangle(id), query_.t_max());
+            if (!hit) continue;
+            hit->prim = id;
+            if (query_.take(*hit)) return true;
+        }
+        return false;
+    }
+
+    // The next entry that may have a hit of use, or false.
+    bool pop(Entry& at) noexcept {
+        const float t_max = query_.t_max();
+        const double limit = t_max + rounding_of(t_max);
+        while (size_ > 0) {
+            at = stack_[--size_];
+            if (at.enter <= limit) return true;
+        }
+        return false;
+    }
+
+    const KdTree& tree_;
+    TriangleMeshView mesh_;
+    const Ray& ray_;
+    PlaneRay planes_;
+    TriangleTest test_;
+    Query& query_;
+    Counts counts_;
+    std::size_t size_ = 0;
+    std::array<Entry, KdTree::max_depth> stack_;
+};
+
+template <typename Query, typename Counts>
+void trace(const KdTree& tree, TriangleMeshView mesh, const Ray& ray, Query& query,
+           Counts counts) noexcept {
+    if (is_traceable(ray)) Traversal<Query, Counts>(tree, mesh, ray, query, counts).run();
+}
+
+template <bool any_hit, typename Counts>
+std::optional<Hit> find_hit(const KdTree& tree, TriangleMeshView mesh, const Ray& ray,
+                            Counts counts) noexcept {
+    FirstHit<any_hit> query(ray);
+    trace(tree, mesh, ray, query, counts);
+    return query.result();
 }
 
 }  // namespace
 
 std::optional<Hit> intersect(const KdTree& tree, TriangleMeshView mesh, const Ray& ray) noexcept {
-    return trace<false>(tree, mesh, ray);
+    return find_hit<false>(tree, mesh, ray, NoCounts());
+}
+
+std::optional<Hit> intersect(const KdTree& tree, TriangleMeshView mesh, const Ray& ray,
+                             TraversalCounts& counts) noexcept {
+    return find_hit<false>(tree, mesh, ray, Counter{counts});
 }
 
 bool occluded(const KdTree& tree, TriangleMeshView mesh, const Ray& ray) noexcept {
-    return trace<true>(tree, mesh, ray).has_value();
+    return find_hit<true>(tree, mesh, ray, NoCounts()).has_value();
+}
+
+bool occluded(const KdTree& tree, TriangleMeshView mesh, const Ray& ray,
+              TraversalCounts& counts) noexcept {
+    return find_hit<true>(tree, mesh, ray, Counter{counts}).has_value();
+}
+
+std::size_t intersect_all(const KdTree& tree, TriangleMeshView mesh, const Ray& ray,
+                          std::span<Hit> hits, const Hit* after) noexcept {
+    if (hits.empty()) return 0;
+    HitList list(hits, after);
+    Ray rest = ray;
+    rest.t_min = std::max(ray.t_min, list.first_distance());
+    AllHits query(rest, list);
+    trace(tree, mesh, rest, query, NoCounts());
+    return list.size();
+}
+
+std::uint64_t count_hits(const KdTree& tree, TriangleMeshView mesh, const Ray& ray) noexcept {
+    return count_by([&](std::span<Hit> hits, const Hit* after) {
+        return intersect_all(tree, mesh, ray, hits, after);
+    });
 }
 
 }  // namespace coppice

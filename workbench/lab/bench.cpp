@@ -203,7 +203,7 @@ private:
         if (figures.reference_count) {
             entry.row.references_per_triangle = *figures.reference_count / triangle_count;
         }
-        for (const RayKindEntry& kind : ray_kind_registry()) {
+        for (const RayKindEntry& kind : rendering_ray_kinds()) {
             compare(entry, kind.kind, is_reference);
         }
         end_turn(entry, timer);

@@ -1,22 +1,13 @@
 #include "lab/bench_results.h"
 #include "lab/machine.h"
 
-#include <fmt/chrono.h>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <chrono>
 
 namespace coppice::lab {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string utc_now() {
-    const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
-}
 
 Json number_or_null(const std::optional<double>& value) {
     return value ? Json(*value) : Json();
@@ -27,7 +18,7 @@ Json view_json(const BenchScene& scene) {
     json["camera"] = nlohmann::json(scene.camera);
     json["light"] = {scene.light.x, scene.light.y, scene.light.z};
     json["reference"] = scene.reference;
-    for (const RayKindEntry& entry : ray_kind_registry()) {
+    for (const RayKindEntry& entry : rendering_ray_kinds()) {
         json["ray_counts"][std::string(entry.name)] =
             scene.ray_counts[static_cast<std::size_t>(entry.kind)];
     }
@@ -57,12 +48,7 @@ Json row_json(const BenchRow& row) {
 
 Json bench_document(const BenchOptions& options, const BenchResult& result) {
     Json json;
-    json["machine"] = nlohmann::json(find_machine());
-    json["machine"]["compiler"] = compiler_name();
-    json["machine"]["build_type"] = build_type();
-    json["machine"]["flags"] = compiler_flags();
-    json["machine"]["git_revision"] = git_revision();
-    json["machine"]["created"] = utc_now();
+    json["machine"] = provenance_json();
     json["options"] = nlohmann::json(options);
     json["options"]["views"] = Json::array();
     for (const BenchScene& scene : result.scenes) {

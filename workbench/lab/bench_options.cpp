@@ -55,7 +55,7 @@ void to_json(nlohmann::json& json, const BenchOptions& options) {
         scenes.push_back(scene.string());
     }
     std::vector<std::string_view> rays;
-    for (const RayKindEntry& entry : ray_kind_registry()) {
+    for (const RayKindEntry& entry : rendering_ray_kinds()) {
         const bool is_asked = std::count(options.rays.begin(), options.rays.end(), entry.kind) > 0;
         if (is_asked) rays.push_back(entry.name);
     }

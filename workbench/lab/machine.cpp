@@ -2,10 +2,13 @@
 
 #include "coppice/base/parallel.h"
 
+#include <fmt/chrono.h>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <sys/utsname.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <fstream>
 
 // Set by the build for this file alone.
@@ -67,6 +70,17 @@ void to_json(nlohmann::json& json, const Machine& machine) {
             {"memory_bytes", machine.memory_bytes},
             {"os", machine.os},
             {"kernel", machine.kernel}};
+}
+
+nlohmann::ordered_json provenance_json() {
+    const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    nlohmann::ordered_json json = nlohmann::json(find_machine());
+    json["compiler"] = compiler_name();
+    json["build_type"] = build_type();
+    json["flags"] = compiler_flags();
+    json["git_revision"] = git_revision();
+    json["created"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+    return json;
 }
 
 std::string_view coppice_version() noexcept {

@@ -23,6 +23,9 @@ struct Machine {
 /// Serializes all fields under their own names.
 void to_json(nlohmann::json& json, const Machine& machine);
 
+/// A new result's `machine`: the machine, how this program was built, and the time by UTC.
+[[nodiscard]] nlohmann::ordered_json provenance_json();
+
 /// The version of coppice, e.g. "0.1.0".
 [[nodiscard]] std::string_view coppice_version() noexcept;
 

@@ -81,8 +81,16 @@ std::span<const RayKindEntry> ray_kind_registry() {
                      RayKind::shadow},
         RayKindEntry{"diffuse", "one cosine-weighted bounce off each primary hit; closest hit",
                      RayKind::diffuse},
+        RayKindEntry{"random", "random lines through the scene's box; closest hit",
+                     RayKind::random},
+        RayKindEntry{"axis", "parallel to an axis through a vertex; closest hit", RayKind::axis},
+        RayKindEntry{"grazing", "in the plane of a face, along it; closest hit", RayKind::grazing},
     };
     return entries;
+}
+
+std::span<const RayKindEntry> rendering_ray_kinds() {
+    return ray_kind_registry().first(3);
 }
 
 std::vector<Ray> primary_rays(const render::Camera& camera, int size) {

@@ -12,11 +12,14 @@
 
 namespace coppice::lab {
 
-/// What a set of rays asks of a tree.
+/// What a set of rays asks of a tree: any hit for shadow rays, the closest one for all others.
 enum class RayKind {
-    primary,  ///< one through each pixel of an image; closest hit
+    primary,  ///< one through each pixel of an image
     shadow,   ///< one from each primary hit to a point light; any hit
-    diffuse   ///< one bounce off each primary hit, cosine-weighted; closest hit
+    diffuse,  ///< one bounce off each primary hit, cosine-weighted
+    random,   ///< a random line through the scene's box
+    axis,     ///< parallel to an axis, through a vertex
+    grazing   ///< in the plane of a face, along it
 };
 
 /// A kind of rays under its name, with one line on what it is.
@@ -28,6 +31,9 @@ struct RayKindEntry {
 
 /// All kinds of rays, in the order of the enumeration.
 [[nodiscard]] std::span<const RayKindEntry> ray_kind_registry();
+
+/// The first of them: what a renderer sends, and so what is measured.
+[[nodiscard]] std::span<const RayKindEntry> rendering_ray_kinds();
 
 /// One ray through each pixel of a square image, row by row from the top.
 [[nodiscard]] std::vector<Ray> primary_rays(const render::Camera& camera, int size);

@@ -3,7 +3,10 @@
 #include "coppice/geom/ray.h"
 #include "coppice/geom/triangle_mesh.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 
 namespace coppice {
 
@@ -15,5 +18,14 @@ namespace coppice {
 
 /// True if any triangle is hit.
 [[nodiscard]] bool brute_force_occluded(TriangleMeshView mesh, const Ray& ray) noexcept;
+
+/// The oracle of intersect_all(): the first hits.size() hits by distance and id that come behind
+/// `*after`, or behind nothing if it is null. Returns how many there are.
+[[nodiscard]] std::size_t brute_force_intersect_all(TriangleMeshView mesh, const Ray& ray,
+                                                    std::span<Hit> hits,
+                                                    const Hit* after = nullptr) noexcept;
+
+/// How many triangles are hit.
+[[nodiscard]] std::uint64_t brute_force_count_hits(TriangleMeshView mesh, const Ray& ray) noexcept;
 
 }  // namespace coppice

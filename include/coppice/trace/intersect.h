@@ -2,18 +2,44 @@
 
 #include "coppice/geom/ray.h"
 #include "coppice/geom/triangle_mesh.h"
+#include "coppice/trace/traversal_counts.h"
 #include "coppice/tree/kd_tree.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 
 namespace coppice {
 
+// Queries of a mesh with a k-d tree over its triangles. All are reentrant and allocate nothing; a
+// ray that is not traceable hits nothing.
+
 /// The closest hit of a ray in a mesh, found with a tree over its triangles. Equals
-/// brute_force_intersect(), the lowest id of equally close hits included. Allocates nothing.
+/// brute_force_intersect(), the lowest id of equally close hits included.
 [[nodiscard]] std::optional<Hit> intersect(const KdTree& tree, TriangleMeshView mesh,
                                            const Ray& ray) noexcept;
 
-/// True if the ray hits any triangle; may stop at the first.
+/// The same, and adds to `counts` what the traversal did.
+[[nodiscard]] std::optional<Hit> intersect(const KdTree& tree, TriangleMeshView mesh,
+                                           const Ray& ray, TraversalCounts& counts) noexcept;
+
+/// True if the ray hits any triangle; stops at the first found.
 [[nodiscard]] bool occluded(const KdTree& tree, TriangleMeshView mesh, const Ray& ray) noexcept;
+
+/// The same, and adds to `counts` what the traversal did.
+[[nodiscard]] bool occluded(const KdTree& tree, TriangleMeshView mesh, const Ray& ray,
+                            TraversalCounts& counts) noexcept;
+
+/// The first hits.size() hits of a ray by distance, equally close ones by id, of those that come
+/// behind `*after` in that order (behind nothing if it is null). Returns how many there are, which
+/// are written to the front of `hits`; fewer than hits.size() means that no more follow. A triangle
+/// is one hit however often the tree refers to it. `after` may point into `hits`.
+[[nodiscard]] std::size_t intersect_all(const KdTree& tree, TriangleMeshView mesh, const Ray& ray,
+                                        std::span<Hit> hits, const Hit* after = nullptr) noexcept;
+
+/// How many triangles the ray hits.
+[[nodiscard]] std::uint64_t count_hits(const KdTree& tree, TriangleMeshView mesh,
+                                       const Ray& ray) noexcept;
 
 }  // namespace coppice

@@ -1,0 +1,133 @@
+// coppice trace: rays of all kinds against one tree: speed, what a ray visits, and whether every
+// hit is right.
+
+#include "coppice/build/method.h"
+
+#include "build_arguments.h"
+#include "command.h"
+#include "interrupts.h"
+#include "json_file.h"
+#include "lab/contestant.h"
+#include "lab/named.h"
+#include "lab/progress_line.h"
+#include "lab/trace_run.h"
+#include "options.h"
+#include "view_arguments.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace coppice::app {
+
+namespace {
+
+/// The options as the parser fills them in.
+struct Request {
+    std::vector<std::string> scenes;
+    MethodRequest build;
+    std::string check;
+    std::string json;
+    lab::TraceOptions options;
+};
+
+void add_rays(CLI::App& parser, lab::TraceOptions& options) {
+    const auto kinds = lab::ray_kind_registry();
+    add_list_option(
+        parser, {"--rays", "LIST", listing("Kinds of rays", names_in(kinds)), "all"},
+        [&options, kinds](const std::vector<std::string>& texts) {
+            options.rays.clear();
+            for (const std::string& name : parse_list("--rays", texts, "axis,random")) {
+                require_name("--rays", name, names_in(kinds));
+                options.rays.push_back(lab::find_named(kinds, name, "kind of rays").kind);
+            }
+        });
+    add_whole(parser, {"--size", "N", "N x N rays of each kind: the pixels of an image", "1000"},
+              options.size, 1, lab::TraceOptions::max_size);
+}
+
+lab::TraceCheck check_of(const std::string& name) {
+    if (name.empty()) return lab::TraceCheck::none;
+    const auto check = name == "brute" ? lab::TraceCheck::brute : lab::TraceCheck::embree;
+    if (check == lab::TraceCheck::embree && lab::peer_registry().empty()) {
+        throw UsageError(
+            "--check: this program was built without Embree; install libembree-dev and build it "
+            "again, or check with brute");
+    }
+    return check;
+}
+
+void fail_if_wrong(const std::vector<lab::TraceScene>& scenes) {
+    std::uint64_t wrong = 0;
+    std::uint64_t all = 0;
+    for (const lab::TraceScene& scene : scenes) {
+        for (const lab::TraceRow& row : scene.rows) {
+            all += row.rays;
+            wrong += row.comparison ? row.comparison->ours_wrong : 0;
+        }
+    }
+    if (wrong > 0) throw CheckFailed(fmt::format("{} of {} rays are wrong", wrong, all));
+}
+
+void run_request(Request& request, Output& output) {
+    lab::TraceOptions& options = request.options;
+    options.scenes.assign(request.scenes.begin(), request.scenes.end());
+    options.method = request.build.method;
+    options.build = options_of(request.build);
+    options.seed = request.build.seed;
+    options.check = check_of(request.check);
+    if (!request.json.empty()) check_json_file(request.json);
+
+    lab::ProgressLine progress(stderr);
+    bool is_first = true;
+    lab::TraceObserver observer;
+    observer.on_progress = [&](const std::string& step) { progress.show(step); };
+    observer.on_scene = [&](const lab::TraceScene& scene) {
+        progress.clear();
+        output.print((is_first ? "" : "\n") + lab::trace_text(options, scene));
+        is_first = false;
+    };
+    const std::vector<lab::TraceScene> scenes = lab::run_trace(options, observer);
+    progress.clear();
+    if (!request.json.empty()) {
+        write_json_file(request.json, lab::trace_document(options, scenes));
+        output.print(fmt::format("written: {}\n", request.json));
+    }
+    fail_if_wrong(scenes);
+}
+
+}  // namespace
+
+Command add_trace(CLI::App& program) {
+    CLI::App* parser = program.add_subcommand(
+        "trace", "Trace rays: how fast, what they visit, and whether all hits are right");
+    parser->allow_extras();
+    const auto request = std::make_shared<Request>();
+    add_scenes(*parser, request->scenes);
+    add_rays(*parser, request->options);
+    add_name(*parser,
+             {"--check", "NAME",
+              "Compare all hits with Embree's robust mode (embree) or with\n"
+              "every triangle (brute); what differs is decided exactly",
+              ""},
+             request->check, {"embree", "brute"});
+    add_switch(*parser, "--count", "Count nodes, leaves and primitives that rays visit",
+               [request] { request->options.counts = true; });
+    add_method(*parser, request->build, "Another seed, another sample and other rays");
+    add_camera(*parser, request->options.camera);
+    add_text(*parser, {"--json", "FILE", "Also write all figures to a file", ""}, request->json);
+    parser->footer(
+        "Examples:\n"
+        "  coppice trace scenes/dragon.obj\n"
+        "  coppice trace scenes/dragon.obj --rays axis,grazing --check embree\n"
+        "  coppice trace a.obj b.ply.gz --method sampled --count --json trace.json\n"
+        "The names of methods and ray kinds are explained by `coppice list`.");
+    return {parser, [parser, request](Output& output) {
+                require_scenes(*parser, request->scenes);
+                wipe_line_on_interrupt();
+                run_request(*request, output);
+            }};
+}
+
+}  // namespace coppice::app

@@ -1,0 +1,78 @@
+// The first hits of a ray in order, gathered in an array of fixed size: each new one is put in its
+// place from the end on, and what is too many falls off. Traversals find hits nearly in order, so
+// that the place is mostly near the end.
+#pragma once
+
+#include "coppice/geom/ray.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+namespace coppice {
+
+/// The order of hits: by distance, equally close ones by id.
+[[nodiscard]] inline bool is_before(const Hit& a, const Hit& b) noexcept {
+    return a.t < b.t || (a.t == b.t && a.prim < b.prim);
+}
+
+/// Hits in order, at most as many as an array takes. A hit that is put in twice is there once.
+class HitList {
+public:
+    /// Gathers hits that come behind `*after`, or any if that is null.
+    HitList(std::span<Hit> hits, const Hit* after) noexcept
+        : hits_(hits), has_after_(after != nullptr), after_(has_after_ ? *after : Hit{}) {}
+
+    /// Puts a hit in its place unless it is not asked for, there already, or too far.
+    void insert(const Hit& hit) noexcept {
+        if (has_after_ && !is_before(after_, hit)) return;
+        std::size_t place = size_;
+        while (place > 0 && is_before(hit, hits_[place - 1]))
+            --place;
+        if (place == hits_.size()) return;
+        // The same triangle from another leaf.
+        if (place > 0 && !is_before(hits_[place - 1], hit)) return;
+        if (size_ < hits_.size()) ++size_;
+        for (std::size_t i = size_ - 1; i > place; --i) {
+            hits_[i] = hits_[i - 1];
+        }
+        hits_[place] = hit;
+    }
+
+    [[nodiscard]] std::size_t size() const noexcept { return size_; }
+
+    [[nodiscard]] bool is_full() const noexcept { return size_ == hits_.size(); }
+
+    /// No hit in front of this distance is asked for.
+    [[nodiscard]] float first_distance() const noexcept {
+        return has_after_ ? after_.t : -std::numeric_limits<float>::infinity();
+    }
+
+    /// The distance of the last hit. Of a list that is not empty.
+    [[nodiscard]] float last_distance() const noexcept { return hits_[size_ - 1].t; }
+
+private:
+    std::span<Hit> hits_;
+    std::size_t size_ = 0;
+    bool has_after_;
+    Hit after_;
+};
+
+/// How many hits there are, by a query that gives some hits at a time:
+/// `find(std::span<Hit> hits, const Hit* after)` is one like intersect_all().
+template <typename Find>
+[[nodiscard]] std::uint64_t count_by(Find&& find) noexcept {
+    constexpr std::size_t at_a_time = 64;
+    std::array<Hit, at_a_time> hits;
+    std::uint64_t count = 0;
+    for (const Hit* after = nullptr;;) {
+        const std::size_t found = find(std::span<Hit>(hits), after);
+        count += found;
+        if (found < at_a_time) return count;
+        after = &hits.back();
+    }
+}
+
+}  // namespace coppice

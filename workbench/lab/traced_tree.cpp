@@ -1,0 +1,33 @@
+#include "lab/traced_tree.h"
+
+#include "coppice/build/build_tree.h"
+#include "coppice/trace/intersect.h"
+
+namespace coppice::lab {
+
+TracedTree::TracedTree(TriangleMeshView mesh, TreeKind kind, const BuildOptions& options)
+    : mesh_(mesh) {
+    if (kind == TreeKind::wide) {
+        wide_.emplace(build_wide_bvh(mesh, options));
+    } else {
+        kd_ = build_kd_tree(mesh, options);
+    }
+}
+
+std::optional<Hit> TracedTree::intersect(const Ray& ray) const noexcept {
+    return wide_ ? wide_->intersect(ray) : coppice::intersect(kd_, mesh_, ray);
+}
+
+std::optional<Hit> TracedTree::intersect(const Ray& ray, TraversalCounts& counts) const noexcept {
+    return wide_ ? wide_->intersect(ray) : coppice::intersect(kd_, mesh_, ray, counts);
+}
+
+bool TracedTree::occluded(const Ray& ray) const noexcept {
+    return wide_ ? wide_->occluded(ray) : coppice::occluded(kd_, mesh_, ray);
+}
+
+bool TracedTree::occluded(const Ray& ray, TraversalCounts& counts) const noexcept {
+    return wide_ ? wide_->occluded(ray) : coppice::occluded(kd_, mesh_, ray, counts);
+}
+
+}  // namespace coppice::lab

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "coppice/build/method.h"
+#include "coppice/geom/triangle_mesh.h"
+#include "coppice/trace/traversal_counts.h"
+#include "coppice/trace/wide_tracer.h"
+#include "coppice/tree/kd_tree.h"
+
+#include <optional>
+
+namespace coppice::lab {
+
+/// A tree of either kind behind one type, for rays. The mesh must outlive it.
+class TracedTree {
+public:
+    /// Builds the tree. Throws like build_kd_tree() and build_wide_bvh().
+    TracedTree(TriangleMeshView mesh, TreeKind kind, const BuildOptions& options);
+
+    /// The closest hit, or nothing.
+    [[nodiscard]] std::optional<Hit> intersect(const Ray& ray) const noexcept;
+    [[nodiscard]] std::optional<Hit> intersect(const Ray& ray,
+                                               TraversalCounts& counts) const noexcept;
+
+    /// True if the ray hits any triangle.
+    [[nodiscard]] bool occluded(const Ray& ray) const noexcept;
+    [[nodiscard]] bool occluded(const Ray& ray, TraversalCounts& counts) const noexcept;
+
+private:
+    TriangleMeshView mesh_;
+    KdTree kd_;
+    std::optional<WideTracer> wide_;  // in place of kd_
+};
+
+}  // namespace coppice::lab
