@@ -13,6 +13,7 @@
 #include "options.h"
 #include "render/develop.h"
 #include "render/encode_image.h"
+#include "render/heat_map.h"
 #include "render/render_report.h"
 #include "view_arguments.h"
 
@@ -45,7 +46,7 @@ struct Request {
     LampWish lamp_wish = LampWish::automatic;
     render::Lamp lamp;
     std::optional<Vec3f> sky;
-    double exposure = 0.0;
+    render::DevelopOptions develop{.cost_scale = 0.0};  // 0: by the image
     MethodRequest build;
     bool as_json = false;
 };
@@ -68,7 +69,11 @@ void add_image(CLI::App& parser, Request& request) {
     add_whole(parser, {"--spp", "N", "Samples per pixel", "16"}, request.options.samples, 1,
               render::RenderOptions::max_samples);
     add_number(parser, {"--exposure", "STOPS", "Brighter by so many factors of 2 (.png)", "0"},
-               request.exposure, {-100.0, 100.0, "a number in [-100, 100]"});
+               request.develop.exposure, {-100.0, 100.0, "a number in [-100, 100]"});
+    add_number(parser,
+               {"--cost-scale", "N", "Steps at the end of the heat map (cost, .png)", "100"},
+               request.develop.cost_scale, {0.0, infinity, "a finite number > 0", false});
+    parser.get_option("--cost-scale")->default_str("by the image");
 }
 
 void add_light(CLI::App& parser, Request& request) {
@@ -116,12 +121,12 @@ void check_output(const std::string& out) {
 }
 
 void write_image(const std::string& out, const render::Image& image, render::Display display,
-                 double exposure) {
+                 const render::DevelopOptions& options) {
     const auto encode = [&] {
         const render::ImageFormat format = *render::format_of(out);
         if (format == render::ImageFormat::exr) return render::encode_exr(image);
         if (format == render::ImageFormat::pfm) return render::encode_pfm(image);
-        return render::encode_png(render::develop(image, display, exposure));
+        return render::encode_png(render::develop(image, display, options));
     };
     const std::filesystem::path file(out);
     const std::string contents = encode();
@@ -254,7 +259,12 @@ void run_request(const Request& request, Output& output) {
     report.trace_seconds = result.seconds;
     report.output = request.out;
     const auto& integrator = render::find_integrator(request.integrator);
-    write_image(request.out, result.image, integrator.display, request.exposure);
+    render::DevelopOptions develop = request.develop;
+    if (integrator.display == render::Display::cost) {
+        if (develop.cost_scale == 0.0) develop.cost_scale = render::fitting_scale(result.image);
+        report.cost_scale = develop.cost_scale;
+    }
+    write_image(request.out, result.image, integrator.display, develop);
     progress.clear();
     for (const std::string& warning : report.warnings) {
         print_message("warning: " + warning);
@@ -278,7 +288,7 @@ Command add_render(CLI::App& program) {
     add_image(*parser, *request);
     add_camera(*parser, request->camera);
     add_light(*parser, *request);
-    add_method(*parser, request->build, "Same seed, same image");
+    add_method(*parser, request->build, "Same seed, same image and sample");
     add_switch(*parser, "--json", "Print JSON instead of text",
                [request] { request->as_json = true; });
     parser->footer(

@@ -3,12 +3,14 @@
 
 #include "render/develop.h"
 #include "render/encode_image.h"
+#include "render/heat_map.h"
 #include "render/pixel_samples.h"
 
 #include <gtest/gtest.h>
 #include <png.h>
 #include <tinyexr.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <cstring>
@@ -90,15 +92,43 @@ TEST(Develop, FollowsTheCurves) {
     EXPECT_LT(compressed(5.0), 1.0);
     Image image(2, 1);
     image.pixels = {{0.2F, 0.1F, 0.0F}, {4.0F, 2.0F, 0.0F}};
-    const ScreenImage lit = develop(image, Display::light, 1.0);
+    const ScreenImage lit = develop(image, Display::light, {.exposure = 1.0});
     EXPECT_EQ(lit.pixels[0].x, srgb_byte(0.4));
     EXPECT_EQ(lit.pixels[1].y, srgb_byte(0.5 * compressed(8.0)));  // the hue stays
     image.pixels = {{-1.0F, 0.0F, 1.0F}, {}};
-    EXPECT_EQ(develop(image, Display::normal, 0.0).pixels[0], (Vec3<std::uint8_t>{0, 128, 255}));
+    EXPECT_EQ(develop(image, Display::normal).pixels[0], (Vec3<std::uint8_t>{0, 128, 255}));
     image.pixels = {{2.0F, 2.0F, 2.0F}, {}};
-    const ScreenImage depth = develop(image, Display::depth, 0.0);
+    const ScreenImage depth = develop(image, Display::depth);
     EXPECT_EQ(depth.pixels[0].x, 255);
     EXPECT_EQ(depth.pixels[1].x, 0);
+}
+
+TEST(HeatMap, GrowsBrighterAndHasALegend) {
+    int before = -1;
+    for (int i = 0; i <= 100; ++i) {
+        const auto color = heat_color(0.01 * i);
+        const int brightness = 2 * color.x + 7 * color.y + color.z;
+        EXPECT_GE(brightness, before - 1);
+        before = brightness;
+    }
+    EXPECT_EQ(heat_color(-1.0), heat_color(0.0));
+    EXPECT_EQ(heat_color(7.0), heat_color(1.0));
+    Image image(200, 100);
+    for (Vec3f& pixel : image.pixels) {
+        pixel.z = 30.0F;
+    }
+    image.pixels[7].z = 1e6F;  // one pixel does not set the scale
+    EXPECT_EQ(fitting_scale(image), 50.0);
+    EXPECT_EQ(fitting_scale(Image(5, 5)), 1.0);
+    const ScreenImage shown = heat_map(image, 60.0, "nodes");
+    EXPECT_EQ(shown.at(100, 10), heat_color(0.5));
+    EXPECT_EQ(shown.at(7, 0), heat_color(1.0));
+    EXPECT_EQ(shown.at(0, 99), (Vec3<std::uint8_t>{0, 0, 0}));
+    EXPECT_EQ(std::count(shown.pixels.begin(), shown.pixels.end(),
+                         Vec3<std::uint8_t>{255, 255, 255}) > 50,
+              true);
+    const Image small(100, 50);
+    EXPECT_EQ(heat_map(small, 1.0, "nodes").at(0, 49), heat_color(0.0));
 }
 
 TEST(PixelSamples, AreStratifiedInEveryPair) {

@@ -1,5 +1,6 @@
 #include "render/develop.h"
 
+#include "render/heat_map.h"
 #include "render/vector_math.h"
 
 #include <algorithm>
@@ -73,9 +74,12 @@ std::uint8_t srgb_byte(double light) noexcept {
     return byte_of(encoded);
 }
 
-ScreenImage develop(const Image& image, Display display, double exposure) {
+ScreenImage develop(const Image& image, Display display, const DevelopOptions& options) {
+    if (display == Display::cost) {
+        return heat_map(image, options.cost_scale, "nodes + primitives per ray");
+    }
     ScreenImage shown(image.width, image.height);
-    const double factor = std::exp2(exposure);
+    const double factor = std::exp2(options.exposure);
     const DepthRange range = display == Display::depth ? range_of(image) : DepthRange{};
     std::transform(image.pixels.begin(), image.pixels.end(), shown.pixels.begin(),
                    [&](Vec3f pixel) -> Pixel {
@@ -89,6 +93,8 @@ ScreenImage develop(const Image& image, Display display, double exposure) {
                                return show_normal(value);
                            case Display::depth:
                                return show_depth(value.x, range);
+                           case Display::cost:
+                               break;
                        }
                        return {};
                    });

@@ -12,9 +12,15 @@ namespace coppice::render {
 /// Linear light in [0, 1] in the sRGB curve, 8 bits.
 [[nodiscard]] std::uint8_t srgb_byte(double light) noexcept;
 
-/// An integrator's image as a screen shows it. `exposure` is in stops (factors of 2) and only for
-/// Display::light, whose colours are scaled until the largest channel is its compressed() value, so
-/// that highlights keep their hue.
-[[nodiscard]] ScreenImage develop(const Image& image, Display display, double exposure);
+/// How numbers become what a screen shows.
+struct DevelopOptions {
+    double exposure = 0.0;    ///< in stops (factors of 2), for Display::light
+    double cost_scale = 1.0;  ///< the cost at the end of the heat map, > 0, for Display::cost
+};
+
+/// An integrator's image as a screen shows it. Light is scaled until the largest channel is its
+/// compressed() value, so that highlights keep their hue.
+[[nodiscard]] ScreenImage develop(const Image& image, Display display,
+                                  const DevelopOptions& options = {});
 
 }  // namespace coppice::render

@@ -19,6 +19,7 @@ RayCounts& RayCounts::operator+=(const RayCounts& other) noexcept {
     reflection += other.reflection;
     occlusion += other.occlusion;
     diffuse += other.diffuse;
+    steps += other.steps;
     return *this;
 }
 
@@ -39,6 +40,8 @@ std::span<const IntegratorEntry> integrator_registry() {
         IntegratorEntry{"normal", "normals, as colours", Display::normal, make_normal},
         IntegratorEntry{"depth", "distance from the camera, near is bright", Display::depth,
                         make_depth},
+        IntegratorEntry{"cost", "nodes visited and primitives tested by a ray, as a heat map",
+                        Display::cost, make_cost},
     };
     return entries;
 }

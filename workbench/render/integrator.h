@@ -33,6 +33,7 @@ struct RayCounts {
     std::uint64_t reflection = 0;  ///< off a mirror
     std::uint64_t occlusion = 0;   ///< of `ao`
     std::uint64_t diffuse = 0;     ///< bounces of `path`
+    TraversalCounts steps;         ///< what primary rays took, if it is counted (`cost`)
 
     RayCounts& operator+=(const RayCounts& other) noexcept;
 
@@ -74,6 +75,7 @@ enum class Display {
     share,   ///< in [0, 1], linear light: to sRGB
     normal,  ///< in [-1, 1], as it is
     depth,   ///< near is bright; 0 is nothing, and black
+    cost,    ///< heat_map()
 };
 
 /// An integrator under its name, with one line on what it shows.

@@ -18,6 +18,11 @@ public:
         return tracer_.intersect(ray);
     }
 
+    [[nodiscard]] std::optional<Hit> intersect(const Ray& ray,
+                                               TraversalCounts& counts) const noexcept override {
+        return tracer_.intersect(ray, counts);
+    }
+
     [[nodiscard]] bool occluded(const Ray& ray) const noexcept override {
         return tracer_.occluded(ray);
     }
@@ -32,6 +37,11 @@ public:
 
     [[nodiscard]] std::optional<Hit> intersect(const Ray& ray) const noexcept override {
         return coppice::intersect(tree_, mesh_, ray);
+    }
+
+    [[nodiscard]] std::optional<Hit> intersect(const Ray& ray,
+                                               TraversalCounts& counts) const noexcept override {
+        return coppice::intersect(tree_, mesh_, ray, counts);
     }
 
     [[nodiscard]] bool occluded(const Ray& ray) const noexcept override {

@@ -4,6 +4,7 @@
 #include "coppice/build/method.h"
 #include "coppice/geom/ray.h"
 #include "coppice/geom/triangle_mesh.h"
+#include "coppice/trace/traversal_counts.h"
 
 #include <memory>
 #include <optional>
@@ -20,6 +21,10 @@ public:
 
     /// The closest hit, or nothing.
     [[nodiscard]] virtual std::optional<Hit> intersect(const Ray& ray) const noexcept = 0;
+
+    /// The same, and adds what it took to `counts`.
+    [[nodiscard]] virtual std::optional<Hit> intersect(const Ray& ray,
+                                                       TraversalCounts& counts) const noexcept = 0;
 
     /// True if anything lies on the ray.
     [[nodiscard]] virtual bool occluded(const Ray& ray) const noexcept = 0;

@@ -49,6 +49,28 @@ std::string rays_text(const RayCounts& rays) {
     return text.empty() ? "none" : text;
 }
 
+/// Steps of a ray on average, of those that were counted.
+double per_ray(std::uint64_t steps, const RayCounts& rays) {
+    return rays.primary > 0 ? static_cast<double>(steps) / static_cast<double>(rays.primary) : 0.0;
+}
+
+std::string steps_text(const RenderReport& report) {
+    const TraversalCounts& steps = report.rays.steps;
+    return fmt::format(
+        "  steps   {:.2f} inner nodes, {:.2f} leaves, {:.2f} primitives a ray; --cost-scale={}\n",
+        per_ray(steps.nodes, report.rays), per_ray(steps.leaves, report.rays),
+        per_ray(steps.primitives, report.rays), *report.cost_scale);
+}
+
+nlohmann::json steps_json(const RenderReport& report) {
+    if (!report.cost_scale) return nullptr;
+    const TraversalCounts& steps = report.rays.steps;
+    return {{"nodes_per_ray", per_ray(steps.nodes, report.rays)},
+            {"leaves_per_ray", per_ray(steps.leaves, report.rays)},
+            {"primitives_per_ray", per_ray(steps.primitives, report.rays)},
+            {"scale", *report.cost_scale}};
+}
+
 nlohmann::json array_of(Vec3f v) {
     return nlohmann::json::array({v.x, v.y, v.z});
 }
@@ -91,6 +113,7 @@ std::string render_text(const RenderReport& report) {
     text +=
         fmt::format("  traced  {} rays in {:.2f} s, {:.2f} Mrays/s\n", grouped(report.rays.total()),
                     report.trace_seconds, report.mrays_per_second());
+    if (report.cost_scale) text += steps_text(report);
     return text;
 }
 
@@ -121,6 +144,7 @@ void to_json(nlohmann::json& json, const RenderReport& report) {
             {"light", lamp_json(report)},
             {"sky", report.sky ? array_of(*report.sky) : nlohmann::json(nullptr)},
             {"rays", report.rays},
+            {"cost", steps_json(report)},
             {"complete", report.pixel_count == pixels},
             {"pixel_count", report.pixel_count},
             {"output", report.output},

@@ -38,6 +38,7 @@ struct RenderReport {
     RayCounts rays;
     std::uint64_t pixel_count = 0;  ///< that are done
     double trace_seconds = 0.0;
+    std::optional<double> cost_scale;  ///< of the heat map, if it is one
     std::string output;
     std::vector<std::string> warnings;
 

@@ -21,4 +21,7 @@ namespace coppice::render {
 /// Distances from the camera, of those samples that meet something; 0 if none does.
 [[nodiscard]] std::unique_ptr<Integrator> make_depth(const IntegratorOptions& options);
 
+/// Nodes that a ray visits, leaves included; primitives that it tests; the sum of both.
+[[nodiscard]] std::unique_ptr<Integrator> make_cost(const IntegratorOptions& options);
+
 }  // namespace coppice::render
