@@ -36,7 +36,12 @@ void parallel_for_chunks(std::size_t count, std::size_t chunk_size,
 }
 
 void parallel_sort(std::span<std::uint64_t> values) {
-    tbb::parallel_sort(values.begin(), values.end());
+    constexpr std::size_t few = 4096;  // tasks would cost more than they save
+    if (values.size() < few) {
+        std::sort(values.begin(), values.end());
+    } else {
+        tbb::parallel_sort(values.begin(), values.end());
+    }
 }
 
 }  // namespace coppice

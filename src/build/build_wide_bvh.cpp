@@ -4,7 +4,6 @@
 #include "coppice/build/build_tree.h"
 #include "coppice/build/draw_sample.h"
 #include "coppice/build/empty_leaves.h"
-#include "coppice/build/refill.h"
 #include "coppice/cost/measure.h"
 
 #include "build/finite_boxes.h"
@@ -78,12 +77,10 @@ wide::Cells make_kd_cells(TriangleMeshView mesh, const wide::Plan& plan, Run& ru
     run.report.stages.sample = run.clock.lap(sample.ids.size());
     KdTree sampled = build_on_sample(mesh, sample, options, &run.meter);
     run.report.stages.build = run.clock.lap(sampled.nodes().size());
-    Skeleton skeleton = empty_leaves(std::move(sampled));
+    const Skeleton skeleton = empty_leaves(std::move(sampled));
     run.report.stages.empty = run.clock.lap(skeleton.nodes().size());
-    const KdTree refilled = refill(std::move(skeleton), mesh, options, &run.meter);
-    const MeteredBytes refilled_bytes(&run.meter, refilled.byte_count());
-    wide::Cells cells = wide::cells_of(refilled, mesh, run.meter);
-    run.report.stages.refill = run.clock.lap(refilled.references().size());
+    wide::Cells cells = wide::make_cells(skeleton, mesh, run.meter);
+    run.report.stages.refill = run.clock.lap(cells.ranges.empty() ? 0 : cells.ranges.back().end);
     return cells;
 }
 

@@ -9,10 +9,14 @@
 //   saves a good part of that without the bonus.
 // - Of a plane chosen from a handful of sampled primitives the node is built anew from all its own.
 //
-// Cost: one pass over the fragments a level, then the builder's.
+// The planes that are kept are passed many at once (Horizon), down to where something is to be
+// decided, and each of these places is built on by itself, the largest first.
+// Cost: two copies of a fragment for ten levels, then the builder's.
 
+#include "coppice/base/parallel.h"
 #include "coppice/build/refine.h"
 
+#include "build/horizon.h"
 #include "build/kd_builder.h"
 #include "build/partition.h"
 #include "build/split/evaluate_plane.h"
@@ -44,6 +48,7 @@ public:
     Grower(const KdTree& tree, PrimitiveSetView primitives, const BuildOptions& options,
            MemoryMeter* meter)
         : nodes_(tree.nodes()),
+          references_below_(count_references(tree.nodes())),
           division_{primitives, options.split.clipping, meter},
           options_(options),
           builder_(primitives, options, until_it_pays(options.split), meter) {}
@@ -58,7 +63,7 @@ public:
 
     [[nodiscard]] TreePart grow(Node node) const {
         const KdNode& old = nodes_[node.index];
-        if (old.is_leaf() || is_noise(node)) {
+        if (old.is_leaf() || is_noise(node.fragments.size())) {
             return builder_.build(std::move(node.fragments), {node.box, node.depth});
         }
         if (is_falsely_empty(old.lower_child())) return revise(std::move(node), PlanarSide::below);
@@ -67,10 +72,27 @@ public:
     }
 
 private:
-    [[nodiscard]] bool is_noise(const Node& node) const {
+    // By nodes, of all leaves below them. Children follow their parents.
+    static std::vector<std::uint64_t> count_references(std::span<const KdNode> nodes) {
+        std::vector<std::uint64_t> counts(nodes.size());
+        for (std::size_t i = nodes.size(); i-- > 0;) {
+            const KdNode& node = nodes[i];
+            counts[i] = node.is_leaf() ? node.reference_count()
+                                       : counts[node.lower_child()] + counts[node.upper_child()];
+        }
+        return counts;
+    }
+
+    [[nodiscard]] bool is_noise(std::uint64_t fragment_count) const {
         const double rate = options_.sample.rate;
-        return rate < 1.0 &&
-               static_cast<double>(node.fragments.size()) * rate < min_sampled_primitives;
+        return rate < 1.0 && static_cast<double>(fragment_count) * rate < min_sampled_primitives;
+    }
+
+    // True for inner nodes that are not split as the old tree does, or may not be.
+    [[nodiscard]] bool is_open(std::uint32_t index) const {
+        const KdNode& node = nodes_[index];
+        return is_noise(references_below_[index]) || is_falsely_empty(node.lower_child()) ||
+               is_falsely_empty(node.upper_child());
     }
 
     [[nodiscard]] bool is_falsely_empty(std::uint32_t child) const {
@@ -108,6 +130,7 @@ private:
 
     // Splits as the old tree does.
     [[nodiscard]] TreePart split(Node node) const {
+        if (node.fragments.size() >= parallel_fragment_count) return split_on(std::move(node));
         const KdNode& old = nodes_[node.index];
         const Plane plane = old.plane();
         MeteredBytes bytes(division_.meter, node.fragments);
@@ -126,7 +149,44 @@ private:
             });
     }
 
+    // The same, and on in this way down to where there is something to decide.
+    [[nodiscard]] TreePart split_on(Node node) const {
+        constexpr int level_count = 10;
+        const Horizon horizon(
+            nodes_, {node.index, node.box, node.depth}, level_count,
+            [&](std::uint32_t index) { return index != node.index && is_open(index); });
+        auto of_cells = horizon.distribute(std::move(node.fragments), division_);
+        std::vector<MeteredBytes> bytes;
+        std::vector<std::size_t> order;
+        for (std::size_t cell = 0; cell < of_cells.size(); ++cell) {
+            bytes.emplace_back(division_.meter, of_cells[cell]);
+            order.push_back(cell);
+        }
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return of_cells[a].size() > of_cells[b].size();
+        });
+        std::vector<TreePart> parts(of_cells.size());
+        parallel_for_chunks(order.size(), 1, [&](std::size_t at, std::size_t /*end*/) {
+            const std::size_t cell = order[at];
+            const Horizon::Cell& root = horizon.cells()[cell];
+            bytes[cell].release();
+            parts[cell] = grow({root.index, std::move(of_cells[cell]), root.box, root.depth});
+        });
+        return joined(horizon, 0, parts);
+    }
+
+    // The parts under the planes of a horizon's node.
+    static TreePart joined(const Horizon& horizon, std::uint32_t index,
+                           std::vector<TreePart>& parts) {
+        const Horizon::Node& node = horizon.nodes()[index];
+        if (node.lower == Horizon::Node::is_cell) return std::move(parts[node.cell]);
+        TreePart lower = joined(horizon, node.lower, parts);
+        TreePart upper = joined(horizon, node.lower + 1, parts);
+        return {node.plane, node.planar_side, std::move(lower), std::move(upper)};
+    }
+
     std::span<const KdNode> nodes_;
+    std::vector<std::uint64_t> references_below_;
     Division division_;
     const BuildOptions& options_;
     KdBuilder builder_;

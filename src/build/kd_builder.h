@@ -34,6 +34,7 @@ private:
                      NodeState node) const;
 
     Division division_;
+    Division small_division_;  // of nodes where clipping takes more time than it saves
     const SplitFinder& finder_;
     SahCostModel cost_;
     StopRule stop_;

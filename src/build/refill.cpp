@@ -1,6 +1,7 @@
-// All primitives go down the skeleton together, a node's fragments divided at its plane by the
-// builder's own partition(). So leaves receive exactly what the builder would have given them, in
-// order of ids, and each level costs one pass over the fragments: O(N depth).
+// All primitives go down the skeleton, ten levels at once (Horizon), where there are few one level
+// at a time, and are divided at each plane by the builder's own divide(). So leaves receive exactly
+// what the builder would have given them, in order of ids. Cost: O(N depth), two copies of a
+// fragment for ten levels.
 // Source: [Tsiompikas2022] sec. 4.3.3 (one primitive at a time, by position).
 
 #include "coppice/build/refill.h"
@@ -9,6 +10,7 @@
 #include "coppice/base/parallel.h"
 #include "coppice/tree/walk.h"
 
+#include "build/horizon.h"
 #include "build/partition.h"
 #include "build/tree_part.h"
 
@@ -35,23 +37,39 @@ public:
             fill_leaf(index, fragments, references);
             return;
         }
-        Partition sides = partition(fragments, node.plane(), node.planar_side(), division_);
-        const bool in_parallel = fragments.size() >= parallel_fragment_count;
-        fragments = {};
-        bytes.release();
-        if (!in_parallel) {
-            fill(node.lower_child(), sides.take_below(), references);
-            fill(node.upper_child(), sides.take_above(), references);
+        if (fragments.size() >= parallel_fragment_count) {
+            bytes.release();
+            fill_cells(index, std::move(fragments), references);
             return;
         }
-        std::vector<std::uint32_t> upper_references;
-        parallel_invoke([&] { fill(node.lower_child(), sides.take_below(), references); },
-                        [&] { fill(node.upper_child(), sides.take_above(), upper_references); });
-        const MeteredBytes upper_bytes(division_.meter, upper_references);
-        references.insert(references.end(), upper_references.begin(), upper_references.end());
+        Partition sides = partition(fragments, node.plane(), node.planar_side(), division_);
+        fragments = {};
+        bytes.release();
+        fill(node.lower_child(), sides.take_below(), references);
+        fill(node.upper_child(), sides.take_above(), references);
     }
 
 private:
+    // fill() through many levels at once.
+    void fill_cells(std::uint32_t index, std::vector<Fragment> fragments,
+                    std::vector<std::uint32_t>& references) {
+        constexpr int level_count = 10;
+        const Horizon horizon(nodes_, {index, {}, 0}, level_count,
+                              [](std::uint32_t) { return false; });
+        auto of_cells = horizon.distribute(std::move(fragments), division_);
+        std::vector<std::vector<std::uint32_t>> parts(of_cells.size());
+        std::vector<MeteredBytes> part_bytes(of_cells.size());
+        parallel_for_chunks(of_cells.size(), 1, [&](std::size_t cell, std::size_t /*end*/) {
+            fill(horizon.cells()[cell].index, std::move(of_cells[cell]), parts[cell]);
+            part_bytes[cell] = {division_.meter, parts[cell]};
+        });
+        for (std::size_t cell = 0; cell < parts.size(); ++cell) {
+            references.insert(references.end(), parts[cell].begin(), parts[cell].end());
+            parts[cell] = {};
+            part_bytes[cell].release();
+        }
+    }
+
     void fill_leaf(std::uint32_t index, std::span<const Fragment> fragments,
                    std::vector<std::uint32_t>& references) {
         if (fragments.size() > KdNode::max_payload) {

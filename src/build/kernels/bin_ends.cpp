@@ -33,14 +33,6 @@ Ints bins_of(const Floats& positions, const Floats& origin, const Floats& bins_p
     return at_least_first < last ? at_least_first : last;
 }
 
-Floats min_of(const Floats& a, const Floats& b) noexcept {
-    return a < b ? a : b;
-}
-
-Floats max_of(const Floats& a, const Floats& b) noexcept {
-    return a > b ? a : b;
-}
-
 Floats vector_of(Vec3f v) noexcept {
     return Floats{v.x, v.y, v.z, 0.0F};
 }
@@ -50,22 +42,18 @@ Floats vector_of(Vec3f v) noexcept {
 void bin_ends(std::span<const Fragment> fragments, const BinGrid& grid, NodeBins& bins) noexcept {
     const Floats origin = vector_of(grid.origin);
     const Floats bins_per_unit = vector_of(grid.bins_per_unit);
-    Floats least = vector_of(bins.extent.lower);
-    Floats most = vector_of(bins.extent.upper);
     for (const Fragment& fragment : fragments) {
         const Corners corners = corners_of(fragment);
-        least = min_of(least, corners.lower);
-        most = max_of(most, corners.upper);
         const Ints starts = bins_of(corners.lower, origin, bins_per_unit);
         const Ints ends = bins_of(corners.upper, origin, bins_per_unit);
         const double weight = fragment.weight;
         for (int axis = 0; axis < 3; ++axis) {
-            AxisBins& axis_bins = bins.axes[static_cast<std::size_t>(axis)];
-            axis_bins.starts[static_cast<std::size_t>(starts[axis])] += weight;
-            axis_bins.ends[static_cast<std::size_t>(ends[axis])] += weight;
+            AxisBins& axis_bins = bins[static_cast<std::size_t>(axis)];
+            axis_bins.add_start(static_cast<std::size_t>(starts[axis]), corners.lower[axis],
+                                weight);
+            axis_bins.add_end(static_cast<std::size_t>(ends[axis]), corners.upper[axis], weight);
         }
     }
-    bins.extent = {{least[0], least[1], least[2]}, {most[0], most[1], most[2]}};
 }
 
 }  // namespace coppice

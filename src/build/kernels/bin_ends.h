@@ -16,17 +16,33 @@ struct BinGrid {
     Vec3f bins_per_unit;
 };
 
-/// The weight of the fragments that start and of those that end in each bin of an axis.
+/// The fragments that start and those that end in each bin of an axis.
 struct AxisBins {
-    std::array<double, bin_count> starts{};
+    AxisBins() noexcept {
+        first_start.fill(Aabb::infinity);
+        last_end.fill(-Aabb::infinity);
+    }
+
+    void add_start(std::size_t bin, float position, double weight) noexcept {
+        starts[bin] += weight;
+        first_start[bin] = position < first_start[bin] ? position : first_start[bin];
+    }
+
+    void add_end(std::size_t bin, float position, double weight) noexcept {
+        ends[bin] += weight;
+        last_end[bin] = position > last_end[bin] ? position : last_end[bin];
+    }
+
+    friend bool operator==(const AxisBins&, const AxisBins&) = default;
+
+    std::array<double, bin_count> starts{};  ///< their weight
     std::array<double, bin_count> ends{};
+    std::array<float, bin_count> first_start;  ///< the least position; infinite if there is none
+    std::array<float, bin_count> last_end;
 };
 
-/// The bins of all axes, and the box of the fragments themselves.
-struct NodeBins {
-    std::array<AxisBins, 3> axes;
-    Aabb extent;
-};
+/// The bins of all axes.
+using NodeBins = std::array<AxisBins, 3>;
 
 /// The bin of a position; those outside the grid are in the first or the last.
 [[nodiscard]] inline std::size_t bin_of(float position, float origin,

@@ -4,6 +4,8 @@
 
 #include "build/split/evaluate_plane.h"
 
+#include <algorithm>
+#include <numeric>
 #include <vector>
 
 namespace coppice {
@@ -31,11 +33,11 @@ NodeBins bin_node(std::span<const Fragment> fragments, const BinGrid& grid) {
         bin_ends(fragments.subspan(begin, end - begin), grid, chunks[begin / chunk_size]);
     });
     for (const NodeBins& chunk : chunks) {
-        sum.extent.grow(chunk.extent);
         for (std::size_t axis = 0; axis < 3; ++axis) {
+            const AxisBins& from = chunk[axis];
             for (std::size_t bin = 0; bin < bin_count; ++bin) {
-                sum.axes[axis].starts[bin] += chunk.axes[axis].starts[bin];
-                sum.axes[axis].ends[bin] += chunk.axes[axis].ends[bin];
+                sum[axis].add_start(bin, from.first_start[bin], from.starts[bin]);
+                sum[axis].add_end(bin, from.last_end[bin], from.ends[bin]);
             }
         }
     }
@@ -56,6 +58,39 @@ std::optional<BinBoundary> best_boundary(const SplitQuery& query, Axis axis, con
         if (!evaluator.is_inside(position)) continue;
         const double cost = evaluator.evaluate(position, counts).cost;
         if (!best || cost < best->cost) best = {{axis, position + 0.0F}, bin, cost};
+    }
+    return best;
+}
+
+double weight_in(const AxisBins& bins) noexcept {
+    return std::accumulate(bins.starts.begin(), bins.starts.end(), 0.0);
+}
+
+BinnedPlane best_end(const AxisBins& bins, SplitCounts before, const PlaneEvaluator& evaluator) {
+    std::array<float, bin_count + 1> next_start;
+    next_start[bin_count] = Aabb::infinity;
+    SplitCounts counts = before;
+    for (std::size_t bin = bin_count; bin-- > 0;) {
+        next_start[bin] = std::min(bins.first_start[bin], next_start[bin + 1]);
+        counts.above += bins.ends[bin];
+    }
+    BinnedPlane best;
+    float last_end = -Aabb::infinity;
+    for (std::size_t bin = 0; bin <= bin_count; ++bin) {
+        const bool has_start = evaluator.is_inside(next_start[bin]);
+        const bool has_end = evaluator.is_inside(last_end);
+        // Where more reaches above, the cost falls on the way to the next start.
+        const bool takes_start = has_start && (!has_end || counts.below <= counts.above);
+        if (takes_start || has_end) {
+            const float position = (takes_start ? next_start[bin] : last_end) + 0.0F;
+            Split split = evaluator.evaluate(position, counts);
+            split.planar_side = takes_start ? PlanarSide::above : PlanarSide::below;
+            if (split.cost < best.split.cost) best = {split, bin};
+        }
+        if (bin == bin_count) break;
+        counts.below += bins.starts[bin];
+        counts.above -= bins.ends[bin];
+        last_end = std::max(last_end, bins.last_end[bin]);
     }
     return best;
 }

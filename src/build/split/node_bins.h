@@ -3,8 +3,10 @@
 #include "coppice/build/split_finder.h"
 
 #include "build/kernels/bin_ends.h"
+#include "build/split/evaluate_plane.h"
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 namespace coppice {
@@ -26,5 +28,20 @@ struct BinBoundary {
 /// `weight`: of all fragments.
 [[nodiscard]] std::optional<BinBoundary> best_boundary(const SplitQuery& query, Axis axis,
                                                        const AxisBins& bins, double weight);
+
+/// The weight of all fragments in the bins of an axis.
+[[nodiscard]] double weight_in(const AxisBins& bins) noexcept;
+
+/// A split at a fragment end next to a boundary between bins.
+struct BinnedPlane {
+    Split split{.plane = {}, .cost = std::numeric_limits<double>::infinity()};
+    std::size_t bin = 0;  ///< the boundary is before this bin; in [0, bin_count]
+};
+
+/// Of the last end before and the first start after each boundary the one where a split costs
+/// least, fragments between the boundary and there counted on both sides; the cost is infinite if
+/// none is inside the node. `before`: what reaches below the first bin, and above the last.
+[[nodiscard]] BinnedPlane best_end(const AxisBins& bins, SplitCounts before,
+                                   const PlaneEvaluator& evaluator);
 
 }  // namespace coppice

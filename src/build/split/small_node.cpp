@@ -1,14 +1,14 @@
-// Small nodes are searched exactly without sorting: all ends strictly inside the node are candidate
-// planes, and a vector kernel counts what lies on either side of each.
+// Small nodes are searched exactly without sorting: their ends strictly inside the node are
+// candidate planes, and a vector kernel counts what lies on either side of each.
 // Cost: O(n^2 / 8) for n fragments, on each axis.
 
 #include "build/split/small_node.h"
 
 #include "build/kernels/plane_costs.h"
-#include "build/split/best_split.h"
 #include "build/split/evaluate_plane.h"
 
 #include <array>
+#include <limits>
 
 namespace coppice {
 namespace {
@@ -18,79 +18,75 @@ class NodeEnds {
 public:
     explicit NodeEnds(std::span<const Fragment> fragments) noexcept : count_(fragments.size()) {
         std::array<bool, 3> has_planar{};
+        float weight_sum = 0.0F;
         for (std::size_t i = 0; i < count_; ++i) {
             const Fragment& fragment = fragments[i];
             const Vec3f& lower = fragment.box.lower;
             const Vec3f& upper = fragment.box.upper;
-            lower_[0][i] = lower.x;
-            lower_[1][i] = lower.y;
-            lower_[2][i] = lower.z;
-            upper_[0][i] = upper.x;
-            upper_[1][i] = upper.y;
-            upper_[2][i] = upper.z;
+            lower_[0][i] = lower.x + 0.0F;  // -0 becomes +0
+            lower_[1][i] = lower.y + 0.0F;
+            lower_[2][i] = lower.z + 0.0F;
+            upper_[0][i] = upper.x + 0.0F;
+            upper_[1][i] = upper.y + 0.0F;
+            upper_[2][i] = upper.z + 0.0F;
             weight_[i] = fragment.weight;
             has_planar[0] |= lower.x == upper.x;
             has_planar[1] |= lower.y == upper.y;
             has_planar[2] |= lower.z == upper.z;
+            weight_sum += fragment.weight;
         }
         has_planar_ = has_planar;
+        are_weights_one_ = weight_sum == static_cast<float>(count_);  // none is less than one
+        pad();
     }
 
     [[nodiscard]] AxisEnds on(Axis axis) const noexcept {
         const auto index = static_cast<std::size_t>(axis);
         return {lower_[index].data(), upper_[index].data(), weight_.data(), count_,
-                has_planar_[index]};
+                has_planar_[index],   are_weights_one_};
     }
 
 private:
     using Numbers = std::array<float, small_node_capacity>;
 
+    // Fills up the last vector.
+    void pad() noexcept {
+        for (std::size_t i = count_; i % 8 != 0; ++i) {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                lower_[axis][i] = Aabb::infinity;
+                upper_[axis][i] = -Aabb::infinity;
+            }
+            weight_[i] = 0.0F;
+        }
+    }
+
     std::array<Numbers, 3> lower_;
     std::array<Numbers, 3> upper_;
     Numbers weight_;
     std::array<bool, 3> has_planar_;
+    bool are_weights_one_;
     std::size_t count_;
 };
-
-void list_planes(const AxisEnds& ends, const PlaneEvaluator& evaluator,
-                 AxisPlanes& planes) noexcept {
-    std::size_t count = 0;
-    const auto list = [&](float position) {
-        planes.position[count] = position + 0.0F;  // never -0: of equal planes either may be chosen
-        count += evaluator.is_inside(position) ? 1U : 0U;
-    };
-    for (std::size_t i = 0; i < ends.count; ++i) {
-        list(ends.lower[i]);
-    }
-    for (std::size_t i = 0; i < ends.count; ++i) {
-        list(ends.upper[i]);
-    }
-    planes.count = count;
-}
-
-void search_axis(const AxisEnds& ends, const PlaneEvaluator& evaluator, BestSplit& best) noexcept {
-    AxisPlanes planes;
-    list_planes(ends, evaluator, planes);
-    if (planes.count == 0) return;
-    const double least = find_plane_costs(ends, evaluator.terms(), planes);
-    if (least > best.cost()) return;
-    for (std::size_t i = 0; i < planes.count; ++i) {
-        if (planes.cost[i] != least) continue;
-        best.offer(evaluator.evaluate(planes.position[i],
-                                      {planes.below[i], planes.above[i], planes.in_plane[i]}));
-    }
-}
 
 }  // namespace
 
 std::optional<Split> find_in_small_node(const SplitQuery& query) noexcept {
     const NodeEnds ends(query.fragments);
     const double inverse_area = 1.0 / query.box.surface_area();
-    BestSplit best;
+    BestPlane best{std::numeric_limits<double>::infinity(), 0.0F};
+    Axis best_axis = Axis::x;
     for (const Axis axis : all_axes) {
-        search_axis(ends.on(axis), PlaneEvaluator(query.box, axis, query.cost, inverse_area), best);
+        const PlaneEvaluator evaluator(query.box, axis, query.cost, inverse_area);
+        const BestPlane on_axis = find_best_plane(ends.on(axis), evaluator.terms());
+        if (on_axis.cost < best.cost) {
+            best = on_axis;
+            best_axis = axis;
+        }
     }
-    return best.get();
+    if (best.cost == std::numeric_limits<double>::infinity()) return std::nullopt;
+    const Plane plane{best_axis, best.position};
+    if (!ends.on(best_axis).has_planar) return Split{plane, PlanarSide::below, best.cost};
+    return evaluate_plane(query, plane);  // which side those in the plane are on
 }
 
 }  // namespace coppice

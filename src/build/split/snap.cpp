@@ -1,33 +1,104 @@
 // Collects the fragment ends in the bins around a boundary and sweeps them, the counts before them
-// known from the bins. Cost: O(n), and a sort of the events in the two bins.
+// known from the bins. Where there are many, they are first counted in finer bins, and only those
+// around the best boundary of these are swept. Cost: O(n), and a sort of few events.
 
 #include "build/split/snap.h"
 
 #include "build/split/axis_events.h"
 #include "build/split/evaluate_plane.h"
 
-namespace coppice {
+#include <algorithm>
 
-void snap(const SplitQuery& query, const BinGrid& grid, const AxisBins& bins,
-          const BinBoundary& boundary, BestSplit& best) {
-    const Axis axis = boundary.plane.axis;
-    SplitCounts counts;
-    for (std::size_t bin = 0; bin < bin_count; ++bin) {
-        if (bin + 1 < boundary.bin) counts.below += bins.starts[bin];
-        if (bin + 1 >= boundary.bin) counts.above += bins.ends[bin];
+namespace coppice {
+namespace {
+
+// Two neighbouring bins of an axis.
+struct Window {
+    Axis axis;
+    float origin;
+    float bins_per_unit;
+    std::size_t first_bin;
+    SplitCounts outside;       // what reaches below the window, and above it
+    double ends_within = 0.0;  // the weight of the fragments that end in it
+
+    // The bins before and after a boundary. `beyond`: what reaches below and above all bins.
+    Window(Axis on, float position, float scale, const AxisBins& bins, std::size_t boundary,
+           const SplitCounts& beyond)
+        : axis(on),
+          origin(position),
+          bins_per_unit(scale),
+          first_bin(std::clamp<std::size_t>(boundary, 1, bin_count - 1) - 1),
+          outside(beyond) {
+        for (std::size_t bin = 0; bin < first_bin; ++bin) {
+            outside.below += bins.starts[bin];
+        }
+        for (std::size_t bin = first_bin + 2; bin < bin_count; ++bin) {
+            outside.above += bins.ends[bin];
+        }
+        ends_within = bins.ends[first_bin] + bins.ends[first_bin + 1];
     }
-    AxisEvents events;
-    const float origin = grid.origin[axis];
-    const float bins_per_unit = grid.bins_per_unit[axis];
-    const auto is_near = [&](float position) {
-        return bin_of(position, origin, bins_per_unit) - (boundary.bin - 1) < 2;
-    };
+
+    [[nodiscard]] bool contains(float position) const noexcept {
+        return bin_of(position, origin, bins_per_unit) - first_bin < 2;
+    }
+};
+
+// The best two bins of 32 that a window is divided into.
+Window narrowed(const Window& window, const SplitQuery& query, const PlaneEvaluator& evaluator) {
+    constexpr auto finer = static_cast<float>(bin_count / 2);
+    const float origin =
+        static_cast<float>(window.first_bin) / window.bins_per_unit + window.origin;
+    const float bins_per_unit = finer * window.bins_per_unit;
+    AxisBins bins;
     for (const Fragment& fragment : query.fragments) {
-        const bool starts = is_near(fragment.box.lower[axis]);
-        const bool ends = is_near(fragment.box.upper[axis]);
-        if (starts || ends) events.add(fragment, axis, starts, ends);
+        const float start = fragment.box.lower[window.axis];
+        const float end = fragment.box.upper[window.axis];
+        if (window.contains(start)) {
+            bins.add_start(bin_of(start, origin, bins_per_unit), start, fragment.weight);
+        }
+        if (window.contains(end)) {
+            bins.add_end(bin_of(end, origin, bins_per_unit), end, fragment.weight);
+        }
     }
-    sweep_events(events, PlaneEvaluator(query.box, axis, query.cost), counts, best);
+    const std::size_t boundary = best_end(bins, window.outside, evaluator).bin;
+    return {window.axis, origin, bins_per_unit, bins, boundary, window.outside};
+}
+
+// Offers the splits at all ends that a predicate holds for, all of them in a window.
+template <typename IsNear>
+void sweep_window(const SplitQuery& query, const Window& window, const PlaneEvaluator& evaluator,
+                  IsNear&& is_near, BestSplit& best) {
+    AxisEvents events;
+    for (const Fragment& fragment : query.fragments) {
+        const bool starts = is_near(fragment.box.lower[window.axis]);
+        const bool ends = is_near(fragment.box.upper[window.axis]);
+        if (starts || ends) events.add(fragment, window.axis, starts, ends);
+    }
+    const SplitCounts& outside = window.outside;
+    sweep_events(events, evaluator, {outside.below, outside.above + window.ends_within, 0.0}, best);
+}
+
+}  // namespace
+
+Split snap(const SplitQuery& query, const BinGrid& grid, const AxisBins& bins,
+           const BinnedPlane& coarse) {
+    constexpr std::size_t many = 8192;
+    const Axis axis = coarse.split.plane.axis;
+    const PlaneEvaluator evaluator(query.box, axis, query.cost);
+    const Window window(axis, grid.origin[axis], grid.bins_per_unit[axis], bins, coarse.bin, {});
+    const auto is_near = [&](float position) { return window.contains(position); };
+    BestSplit best;
+    best.offer(coarse.split);
+    if (query.fragments.size() < many) {
+        sweep_window(query, window, evaluator, is_near, best);
+    } else {
+        const Window fine = narrowed(window, query, evaluator);
+        const auto is_nearer = [&](float position) {
+            return is_near(position) && fine.contains(position);
+        };
+        sweep_window(query, fine, evaluator, is_nearer, best);
+    }
+    return *best.get();
 }
 
 }  // namespace coppice

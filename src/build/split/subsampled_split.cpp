@@ -42,7 +42,7 @@ std::optional<Split> SubsampledSplit::find(const SplitQuery& query) const {
     std::optional<BinBoundary> best;
     for (const Axis axis : all_axes) {
         const auto boundary =
-            best_boundary(part_query, axis, bins.axes[static_cast<std::size_t>(axis)], weight);
+            best_boundary(part_query, axis, bins[static_cast<std::size_t>(axis)], weight);
         if (boundary && (!best || boundary->cost < best->cost)) best = boundary;
     }
     if (!best) return std::nullopt;

@@ -1,53 +1,48 @@
-// Cells by planes: a k-d tree over the sample, refilled with all triangles, is the top, and its
-// leaves are the cells. A triangle that a plane cuts is in both cells with the part of its box that
-// it has there, so that cells do not overlap: nearly what spatial splits give, for a pass over the
-// triangles. Cost: the refill, and one clipped box a reference.
-// Source: [Stich2009] (references cut by planes above an object hierarchy).
+// Cells by planes: a k-d tree over the sample is the top, and its leaves are the cells. All
+// triangles go down it at once. One that a plane cuts is in both cells with the part of its box
+// that it has there, so that cells do not overlap: nearly what spatial splits give, for a pass over
+// the triangles. Cost: that of Horizon::distribute(). Source: [Stich2009] (references cut by planes
+// above an object hierarchy).
 
 #include "coppice/base/parallel.h"
-#include "coppice/tree/walk.h"
 
+#include "build/horizon.h"
 #include "build/wide/make_references.h"
 #include "build/wide/top.h"
 
 namespace coppice::wide {
-namespace {
 
-// The part of a triangle's box that lies in a cell. A triangle that only touches it may have none:
-// then where the boxes touch.
-Aabb box_in_cell(TriangleMeshView mesh, std::uint32_t id, const Aabb& cell) {
-    const Aabb box = mesh.bounds(id);
-    const Aabb common = intersection(box, cell);
-    if (common == box || common.is_empty()) return box;
-    const Aabb clipped = mesh.clipped_bounds(id, cell);
-    return clipped.is_empty() ? common : clipped;
-}
-
-}  // namespace
-
-Cells cells_of(const KdTree& tree, TriangleMeshView mesh, MemoryMeter& meter) {
-    Cells made{{}, Arena(tree.references().size(), meter), {}};
-    std::vector<Aabb> boxes;
-    made.top.nodes.resize(tree.nodes().size());
-    walk(tree, [&](const VisitedNode& at) {
-        const KdNode& node = tree.nodes()[at.index];
-        TopNode& top = made.top.nodes[at.index];
-        if (!node.is_leaf()) {
-            top = {static_cast<std::uint32_t>(node.axis()), node.position(), node.lower_child()};
-            return;
-        }
-        top = {TopNode::is_cell, 0.0F, static_cast<std::uint32_t>(boxes.size())};
-        const std::uint32_t begin = node.first_reference();
-        made.ranges.push_back({.begin = begin, .end = begin + node.reference_count(), .buffer = 0});
-        boxes.push_back(at.box);
-    });
-    made.top.cell_count = static_cast<std::uint32_t>(boxes.size());
+Cells make_cells(const Skeleton& skeleton, TriangleMeshView mesh, MemoryMeter& meter) {
+    constexpr int all_levels = 64;
+    const Horizon horizon(skeleton.nodes(), {0, skeleton.bounds(), 0}, all_levels,
+                          [](std::uint32_t) { return false; });
+    auto of_cells = horizon.distribute(whole_fragments(mesh), {mesh, Clipping::perfect, &meter});
+    std::vector<MeteredBytes> bytes;
+    std::vector<Range> ranges;
+    std::uint32_t count = 0;
+    for (const std::vector<Fragment>& fragments : of_cells) {
+        const auto end = count + static_cast<std::uint32_t>(fragments.size());
+        ranges.push_back({.begin = count, .end = end, .buffer = 0});
+        bytes.emplace_back(&meter, fragments);
+        count = end;
+    }
+    Cells made{{}, Arena(count, meter), std::move(ranges)};
+    made.top.nodes.clear();
+    for (const Horizon::Node& node : horizon.nodes()) {
+        const bool is_cell = node.lower == Horizon::Node::is_cell;
+        made.top.nodes.push_back(is_cell ? TopNode{TopNode::is_cell, 0.0F, node.cell}
+                                         : TopNode{static_cast<std::uint32_t>(node.plane.axis),
+                                                   node.plane.position, node.lower});
+    }
+    made.top.cell_count = static_cast<std::uint32_t>(of_cells.size());
     const std::span<Reference> references = made.arena.first();
-    parallel_for_chunks(boxes.size(), 1, [&](std::size_t cell, std::size_t /*end*/) {
-        for (std::uint32_t at = made.ranges[cell].begin; at < made.ranges[cell].end; ++at) {
-            const std::uint32_t id = tree.references()[at];
-            references[at] = make_reference(box_in_cell(mesh, id, boxes[cell]), id);
+    parallel_for_chunks(of_cells.size(), 1, [&](std::size_t cell, std::size_t /*end*/) {
+        std::size_t at = made.ranges[cell].begin;
+        for (const Fragment& fragment : of_cells[cell]) {
+            references[at++] = make_reference(fragment.box, fragment.id);
         }
+        of_cells[cell] = {};
+        bytes[cell].release();
     });
     return made;
 }

@@ -48,9 +48,9 @@ struct Cells {
     std::vector<Range> ranges;  ///< of each cell, in one of the arena's buffers
 };
 
-/// The leaves of a k-d tree as cells, the boxes of their triangles clipped to them. Ranges have no
+/// The leaves of a k-d tree as cells, the boxes of all triangles clipped to them. Ranges have no
 /// boxes yet.
-[[nodiscard]] Cells cells_of(const KdTree& tree, TriangleMeshView mesh, MemoryMeter& meter);
+[[nodiscard]] Cells make_cells(const Skeleton& skeleton, TriangleMeshView mesh, MemoryMeter& meter);
 
 /// Finds the boxes and centroids of the ranges.
 void measure_cells(Cells& cells, const Kernels& kernels);

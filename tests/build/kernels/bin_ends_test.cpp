@@ -26,18 +26,15 @@ TEST(BinEnds, CountsAllEnds_4) {
         bin_ends(fragments, grid, bins);
         NodeBins expected;
         for (const Fragment& fragment : fragments) {
-            expected.extent.grow(fragment.box);
             for (const Axis axis : all_axes) {
-                AxisBins& axis_bins = expected.axes[static_cast<std::size_t>(axis)];
-                axis_bins.starts[bin_of(fragment.box.lower[axis], 0.0F, 32.0F)] += fragment.weight;
-                axis_bins.ends[bin_of(fragment.box.upper[axis], 0.0F, 32.0F)] += fragment.weight;
+                AxisBins& axis_bins = expected[static_cast<std::size_t>(axis)];
+                const float start = fragment.box.lower[axis];
+                const float end = fragment.box.upper[axis];
+                axis_bins.add_start(bin_of(start, 0.0F, 32.0F), start, fragment.weight);
+                axis_bins.add_end(bin_of(end, 0.0F, 32.0F), end, fragment.weight);
             }
         }
-        EXPECT_EQ(bins.extent, expected.extent);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            EXPECT_EQ(bins.axes[axis].starts, expected.axes[axis].starts);
-            EXPECT_EQ(bins.axes[axis].ends, expected.axes[axis].ends);
-        }
+        EXPECT_EQ(bins, expected);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "build/kernels/plane_costs.h"
 
 #include "build/fragments.h"
+#include "build/split/best_split.h"
 #include "build/split/evaluate_plane.h"
 
 #include <gtest/gtest.h>
@@ -10,40 +11,55 @@
 namespace coppice::test {
 namespace {
 
-// Counts and costs of every plane are, bit for bit, those of evaluate_plane().
-TEST(FindPlaneCosts, EqualsTheScalarCode_3) {
+// The best plane and its cost are, bit for bit, those of evaluate_plane() on all ends.
+TEST(FindBestPlane, EqualsTheScalarCode_3) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
     Random random(3);
     const SahCostModel model{.traversal = 1.5, .intersection = 2.0, .empty_bonus = 0.3};
-    for (const Layout layout : {Layout::random, Layout::grid, Layout::planar, Layout::points}) {
-        for (int round = 0; round < 100; ++round) {
+    for (const Layout layout :
+         {Layout::random, Layout::grid, Layout::planar, Layout::points, Layout::identical}) {
+        for (int round = 0; round < 200; ++round) {
             auto fragments = make_fragments(layout, 1 + random.below(64), random);
-            fragments.front().weight = 2.25F;
+            const bool has_weights = round % 2 == 1;
+            if (has_weights) fragments.front().weight = 2.25F;
             const auto axis = static_cast<Axis>(random.below(3));
-            std::array<float, 64> lower{};
-            std::array<float, 64> upper{};
+            std::array<float, 64> lower;
+            std::array<float, 64> upper;
             std::array<float, 64> weight{};
-            AxisEnds ends{lower.data(), upper.data(), weight.data(), fragments.size(), false};
-            AxisPlanes planes;
+            lower.fill(infinity);
+            upper.fill(-infinity);
+            AxisEnds ends{lower.data(),     upper.data(), weight.data(),
+                          fragments.size(), false,        !has_weights};
+            const PlaneEvaluator evaluator(unit_cube, axis, model);
+            BestSplit expected;
             for (std::size_t i = 0; i < fragments.size(); ++i) {
                 lower[i] = fragments[i].box.lower[axis];
                 upper[i] = fragments[i].box.upper[axis];
                 weight[i] = fragments[i].weight;
                 ends.has_planar |= lower[i] == upper[i];
-                planes.position[planes.count++] = random.uniform(0.01F, 0.99F);
-                if (lower[i] > 0.0F && lower[i] < 1.0F) planes.position[planes.count++] = lower[i];
+                for (const float end : {lower[i], upper[i]}) {
+                    if (!evaluator.is_inside(end)) continue;
+                    expected.offer(evaluate_plane({fragments, unit_cube, model, 0.0}, {axis, end}));
+                }
             }
-            const PlaneEvaluator evaluator(unit_cube, axis, model);
-            const double least = find_plane_costs(ends, evaluator.terms(), planes);
-            double expected_least = std::numeric_limits<double>::infinity();
-            for (std::size_t i = 0; i < planes.count; ++i) {
-                const Split split =
-                    evaluate_plane({fragments, unit_cube, model, 0.0}, {axis, planes.position[i]});
-                EXPECT_EQ(planes.cost[i], split.cost);
-                expected_least = std::min(expected_least, split.cost);
-            }
-            EXPECT_EQ(least, expected_least);
+            const BestPlane best = find_best_plane(ends, evaluator.terms());
+            ASSERT_EQ(best.cost, expected.cost());
+            if (!expected.get()) continue;
+            EXPECT_EQ(best.position, expected.get()->plane.position);
         }
     }
+}
+
+// Most lies in the node's upper face, where no plane may be: the last end is the best there is.
+TEST(FindBestPlane, KeepsTheLastEndBeforeTheFace) {
+    std::vector<Fragment> fragments(12, {{{0.1F, 0, 0}, {0.3F, 1, 1}}, 0});
+    for (std::size_t i = 0; i < 9; ++i) {
+        fragments[i].box = {{1, 0, 0}, {1, 1, 1}};
+    }
+    const SahCostModel model{.empty_bonus = 0.0};
+    const auto split = find_split_finder("exact").find({fragments, unit_cube, model, 100.0});
+    ASSERT_TRUE(split.has_value());
+    EXPECT_EQ(split->plane, (Plane{Axis::x, 0.3F}));
 }
 
 }  // namespace

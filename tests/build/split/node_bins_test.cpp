@@ -24,11 +24,8 @@ TEST(BinNode, IsTheSameInChunks_1) {
     const NodeBins in_chunks = bin_node(fragments, grid);
     NodeBins at_once;
     bin_ends(fragments, grid, at_once);
-    EXPECT_EQ(in_chunks.extent, at_once.extent);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        EXPECT_EQ(in_chunks.axes[axis].starts, at_once.axes[axis].starts);
-        EXPECT_EQ(in_chunks.axes[axis].ends, at_once.axes[axis].ends);
-    }
+    EXPECT_EQ(in_chunks, at_once);
+    EXPECT_EQ(weight_in(at_once[0]), 70'002.5);
 }
 
 TEST(BestBoundary, SeparatesTwoClusters) {
@@ -39,10 +36,26 @@ TEST(BestBoundary, SeparatesTwoClusters) {
     }
     const SplitQuery query{fragments, unit_cube, {}, 0.0};
     const NodeBins bins = bin_node(fragments, *bin_grid(unit_cube));
-    const auto boundary = best_boundary(query, Axis::x, bins.axes[0], 100.0);
+    const auto boundary = best_boundary(query, Axis::x, bins[0], 100.0);
     ASSERT_TRUE(boundary.has_value());
     EXPECT_GT(boundary->plane.position, 0.25F);
     EXPECT_LE(boundary->plane.position, 0.75F);
+}
+
+// The plane is at the end of a cluster, whichever the boundary between the bins.
+TEST(BestEnd, SeparatesTwoClustersAtAnEnd) {
+    std::vector<Fragment> fragments;
+    for (std::uint32_t id = 0; id < 100; ++id) {
+        const float x = id < 30 ? 0.01F : 0.76F;
+        fragments.push_back({{{x, 0, 0}, {x + 0.2F, 1, 1}}, id});
+    }
+    const NodeBins bins = bin_node(fragments, *bin_grid(unit_cube));
+    const SahCostModel model{.empty_bonus = 0.0};
+    const BinnedPlane best = best_end(bins[0], {}, PlaneEvaluator(unit_cube, Axis::x, model));
+    EXPECT_EQ(best.split.plane, (Plane{Axis::x, 0.76F}));
+    EXPECT_EQ(best.split.planar_side, PlanarSide::above);
+    EXPECT_NEAR(best.split.cost, naive_plane_cost(fragments, unit_cube, model, best.split.plane),
+                1e-9);
 }
 
 }  // namespace
