@@ -29,6 +29,7 @@ public:
 [[nodiscard]] Command add_build(CLI::App& program);
 [[nodiscard]] Command add_bench(CLI::App& program);
 [[nodiscard]] Command add_trace(CLI::App& program);
+[[nodiscard]] Command add_render(CLI::App& program);
 [[nodiscard]] Command add_info(CLI::App& program);
 [[nodiscard]] Command add_list(CLI::App& program);
 [[nodiscard]] Command add_generate(CLI::App& program);

@@ -11,6 +11,7 @@
 #include "lab/protocol.h"
 #include "lab/ray_sets.h"
 #include "options.h"
+#include "render/integrator.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -37,16 +38,18 @@ Section make_section(std::string key, std::string title, std::span<const Entry> 
 }
 
 std::vector<Section> all_sections() {
-    return {make_section("primitives", "Primitives (--primitives)", lab::primitive_kind_registry()),
-            make_section("protocols", "Protocols (--protocols)", lab::protocol_registry()),
-            make_section("methods", "Methods (coppice build, bench and trace)", method_registry()),
-            make_section("peers", "Peers (coppice bench)", lab::peer_registry()),
-            make_section("rays", "Rays (coppice trace; coppice bench: the first three)",
-                         lab::ray_kind_registry()),
-            make_section("splits", "Split rules (--split)", split_finder_registry()),
-            make_section("samplers", "Samplers (--sampler)", sampler_registry()),
-            make_section("procedural_scenes", "Procedural scenes (coppice generate)",
-                         lab::procedural_registry())};
+    return {
+        make_section("primitives", "Primitives (--primitives)", lab::primitive_kind_registry()),
+        make_section("protocols", "Protocols (--protocols)", lab::protocol_registry()),
+        make_section("methods", "Methods (--method, --methods)", method_registry()),
+        make_section("integrators", "Integrators (coppice render)", render::integrator_registry()),
+        make_section("peers", "Peers (coppice bench)", lab::peer_registry()),
+        make_section("rays", "Rays (coppice trace; coppice bench: the first three)",
+                     lab::ray_kind_registry()),
+        make_section("splits", "Split rules (--split)", split_finder_registry()),
+        make_section("samplers", "Samplers (--sampler)", sampler_registry()),
+        make_section("procedural_scenes", "Procedural scenes (coppice generate)",
+                     lab::procedural_registry())};
 }
 
 std::string sections_text() {

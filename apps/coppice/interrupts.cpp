@@ -13,6 +13,7 @@ namespace {
 
 struct State {
     std::atomic<bool> is_deferred{false};
+    std::atomic<bool> is_second_final{false};  ///< a second interrupt is not deferred
     std::atomic<int> pending_signal{0};
 };
 
@@ -32,7 +33,8 @@ void end_by(int signal) noexcept {
 }
 
 extern "C" void on_interrupt(int signal) {
-    if (state().is_deferred) {
+    const bool is_final = state().is_second_final && state().pending_signal != 0;
+    if (state().is_deferred && !is_final) {
         state().pending_signal = signal;
     } else {
         end_by(signal);
@@ -55,6 +57,21 @@ DeferInterrupts::DeferInterrupts() noexcept {
 DeferInterrupts::~DeferInterrupts() {
     state().is_deferred = false;
     if (const int signal = state().pending_signal) end_by(signal);
+}
+
+CatchInterrupts::CatchInterrupts() noexcept {
+    state().is_second_final = true;
+    state().is_deferred = true;
+}
+
+CatchInterrupts::~CatchInterrupts() {
+    state().is_deferred = false;
+    state().is_second_final = false;
+    state().pending_signal = 0;
+}
+
+bool CatchInterrupts::caught() const noexcept {
+    return state().pending_signal != 0;
 }
 
 }  // namespace coppice::app

@@ -4,6 +4,7 @@
 #include "coppice/base/error.h"
 
 #include "command.h"
+#include "interrupts.h"
 #include "lab/machine.h"
 #include "options.h"
 #include "usage.h"
@@ -115,6 +116,7 @@ int run_program(int argument_count, char** argument_texts) {
                                         add_build(program),
                                         add_bench(program),
                                         add_trace(program),
+                                        add_render(program),
                                         add_info(program),
                                         add_list(program),
                                         add_generate(program)};
@@ -126,6 +128,7 @@ int run_program(int argument_count, char** argument_texts) {
         "  coppice build terrain.obj\n"
         "  coppice bench terrain.obj\n"
         "  coppice trace terrain.obj --count\n"
+        "  coppice render terrain.obj -o terrain.png\n"
         "  coppice experiment --help");
     try {
         program.parse(argument_count, argument_texts);
@@ -163,6 +166,8 @@ int main(int argument_count, char** arguments) {
         app::print_message(error.what());
     } catch (const Error& error) {
         app::print_message(error.what());
+    } catch (const app::Interrupted& cut_short) {
+        app::print_message(cut_short.what());
     } catch (const std::bad_alloc&) {
         app::print_message("out of memory: the scene and its tree do not fit");
     } catch (const std::exception& error) {

@@ -130,6 +130,19 @@ Vec3f parse_vector(std::string_view option, std::string_view text) {
     return v;
 }
 
+PixelSize parse_size(std::string_view option, std::string_view text, int highest) {
+    const std::size_t cross = std::min(text.find_first_of("xX"), text.size());
+    const auto is_in = [highest](int value) { return value >= 1 && value <= highest; };
+    PixelSize size{};
+    const bool is_read = cross < text.size() && read_number(text.substr(0, cross), size.width) &&
+                         read_number(text.substr(cross + 1), size.height);
+    if (!is_read || !is_in(size.width) || !is_in(size.height)) {
+        fail(option, text, fmt::format("a width and a height in [1, {}] pixels", highest),
+             "1280x720");
+    }
+    return size;
+}
+
 void require_name(std::string_view option, std::string_view name,
                   std::span<const std::string_view> names) {
     if (std::find(names.begin(), names.end(), name) != names.end()) return;

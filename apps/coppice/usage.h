@@ -53,6 +53,15 @@ struct NumberRange {
 /// The three finite numbers that `text` writes, with commas between. Throws UsageError.
 [[nodiscard]] Vec3f parse_vector(std::string_view option, std::string_view text);
 
+/// A width and a height in pixels.
+struct PixelSize {
+    int width;
+    int height;
+};
+
+/// The size that `text` writes as `1280x720`, both in [1, highest]. Throws UsageError.
+[[nodiscard]] PixelSize parse_size(std::string_view option, std::string_view text, int highest);
+
 /// Throws UsageError unless `name` is among `names`, with the nearest one or all of them.
 void require_name(std::string_view option, std::string_view name,
                   std::span<const std::string_view> names);

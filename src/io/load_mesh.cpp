@@ -2,6 +2,7 @@
 
 #include "coppice/base/error.h"
 #include "coppice/base/timer.h"
+#include "coppice/io/mesh_attributes.h"
 
 #include "io/count_oddities.h"
 #include "io/input_file.h"
@@ -29,19 +30,19 @@ std::string format_extension(const std::filesystem::path& file) {
     return extension;
 }
 
-LoadedMesh load_by_extension(const std::filesystem::path& file) {
+LoadedMesh load_by_extension(const std::filesystem::path& file, MeshAttributes* attributes) {
     const std::string extension = format_extension(file);
     if (extension == ".obj" || extension == ".obj.gz") {
-        return load_obj(file);
+        return load_obj(file, attributes);
     }
     if (extension == ".ply" || extension == ".ply.gz") {
-        return load_ply(file);
+        return load_ply(file, attributes);
     }
     if (extension == ".off") {
         return load_off(file);
     }
     if (is_scene_file_extension(extension)) {
-        return load_scene_file(file);
+        return load_scene_file(file, attributes);
     }
     throw file_error(ErrorCode::unsupported, file.string(),
                      fmt::format("unknown mesh file extension {}", in_quotes(extension)));
@@ -49,10 +50,12 @@ LoadedMesh load_by_extension(const std::filesystem::path& file) {
 
 }  // namespace
 
-TriangleMesh load_mesh(const std::filesystem::path& file, LoadReport* report) {
+TriangleMesh load_mesh(const std::filesystem::path& file, LoadReport* report,
+                       MeshAttributes* attributes) {
     const Timer timer;
     const std::uint64_t file_bytes = regular_file_bytes(file);
-    LoadedMesh loaded = load_by_extension(file);
+    if (attributes != nullptr) *attributes = {};
+    LoadedMesh loaded = load_by_extension(file, attributes);
     if (report != nullptr) {
         *report = std::move(loaded.report);
         report->file_bytes = file_bytes;

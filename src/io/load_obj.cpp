@@ -4,11 +4,13 @@
 #include "io/load_obj.h"
 
 #include "io/input_file.h"
+#include "io/obj_attributes.h"
 #include "io/obj_statements.h"
 
 #include <tiny_obj_loader.h>
 
 #include <istream>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,7 +22,9 @@ namespace {
 struct ObjReading {
     LoadedMesh loaded;
     const ObjStatements* statements = nullptr;
-    std::vector<std::uint32_t> corners;  ///< of the current face
+    ObjAttributes* attributes = nullptr;  ///< if they are wanted
+    std::vector<std::uint32_t> corners;   ///< of the current face
+    std::vector<std::int64_t> normals;    ///< of its corners, as the file has them
 };
 
 void take_vertex(void* user_data, float /*x*/, float /*y*/, float /*z*/, float /*w*/) {
@@ -32,22 +36,27 @@ void take_face(void* user_data, tinyobj::index_t* indices, int count) {
     auto& reading = *static_cast<ObjReading*>(user_data);
     const auto vertex_count = static_cast<std::int64_t>(reading.loaded.mesh.vertices.size());
     reading.corners.clear();
+    reading.normals.clear();
     for (const tinyobj::index_t& corner : std::span(indices, static_cast<std::size_t>(count))) {
         const std::int64_t index = corner.vertex_index;
         reading.corners.push_back(
             static_cast<std::uint32_t>(index > 0 ? index - 1 : vertex_count + index));
+        reading.normals.push_back(corner.normal_index);
     }
     add_face(reading.loaded, reading.corners);
+    if (reading.attributes != nullptr) reading.attributes->add_face(reading.normals);
 }
 
 }  // namespace
 
-LoadedMesh load_obj(const std::filesystem::path& file) {
+LoadedMesh load_obj(const std::filesystem::path& file, MeshAttributes* attributes) {
     InputFile input(file);
     ObjReading reading;
     reading.loaded.report.file = input.name();
     reading.loaded.report.format = "obj";
-    ObjStatements statements(input, reading.loaded.report);
+    std::optional<ObjAttributes> collected;
+    if (attributes != nullptr) reading.attributes = &collected.emplace(input.name(), *attributes);
+    ObjStatements statements(input, reading.loaded.report, reading.attributes);
     reading.statements = &statements;
 
     tinyobj::callback_t callbacks;
@@ -59,6 +68,7 @@ LoadedMesh load_obj(const std::filesystem::path& file) {
 
     statements.check_forward_references();
     check_has_triangles(reading.loaded);
+    if (collected) collected->finish();
     return std::move(reading.loaded);
 }
 

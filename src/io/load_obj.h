@@ -1,5 +1,7 @@
 #pragma once
 
+#include "coppice/io/mesh_attributes.h"
+
 #include "io/loaded_mesh.h"
 
 #include <filesystem>
@@ -8,6 +10,7 @@ namespace coppice {
 
 /// Reads the vertices and faces of an OBJ file, plain or gzipped, through tinyobjloader. A face
 /// may come before its vertices.
-[[nodiscard]] LoadedMesh load_obj(const std::filesystem::path& file);
+[[nodiscard]] LoadedMesh load_obj(const std::filesystem::path& file,
+                                  MeshAttributes* attributes = nullptr);
 
 }  // namespace coppice

@@ -29,15 +29,24 @@ std::size_t rows_to_reserve(const PlyElement& element, PlyFormat format, const I
     return static_cast<std::size_t>(std::min(element.count, file.stored_bytes() / row_bytes));
 }
 
-const PlyProperty& find_coordinate(const PlyElement& vertex, std::string_view name,
-                                   const InputFile& file) {
+/// The property of that name that is one number a row, or null.
+const PlyProperty* find_number(const PlyElement& vertex, std::string_view name) {
     for (const PlyProperty& property : vertex.properties) {
         if (property.name == name && !property.is_list()) {
-            return property;
+            return &property;
         }
     }
-    TextPlace{file.name(), vertex.line}.fail(
-        fmt::format("PLY element 'vertex' has no property {}", in_quotes(name)));
+    return nullptr;
+}
+
+const PlyProperty* find_coordinate(const PlyElement& vertex, std::string_view name,
+                                   const InputFile& file) {
+    const PlyProperty* property = find_number(vertex, name);
+    if (property == nullptr) {
+        TextPlace{file.name(), vertex.line}.fail(
+            fmt::format("PLY element 'vertex' has no property {}", in_quotes(name)));
+    }
+    return property;
 }
 
 const PlyProperty& find_corners(const PlyElement& element, const InputFile& file) {
@@ -55,8 +64,9 @@ const PlyProperty& find_corners(const PlyElement& element, const InputFile& file
 template <typename Body>
 class PlyReader {
 public:
-    PlyReader(InputFile& file, const PlyHeader& header, Body body, LoadedMesh& loaded)
-        : file_(file), header_(header), body_(body), loaded_(loaded) {
+    PlyReader(InputFile& file, const PlyHeader& header, Body body, LoadedMesh& loaded,
+              MeshAttributes* attributes)
+        : file_(file), header_(header), body_(body), loaded_(loaded), attributes_(attributes) {
         const PlyElement* vertex = header.find_element("vertex");
         vertex_count_ = vertex == nullptr ? 0 : static_cast<std::int64_t>(vertex->count);
     }
@@ -78,11 +88,13 @@ public:
 
 private:
     void read_vertices(const PlyElement& element) {
-        const std::array<const PlyProperty*, 3> axes = {&find_coordinate(element, "x", file_),
-                                                        &find_coordinate(element, "y", file_),
-                                                        &find_coordinate(element, "z", file_)};
+        const std::array<const PlyProperty*, 3> axes = {find_coordinate(element, "x", file_),
+                                                        find_coordinate(element, "y", file_),
+                                                        find_coordinate(element, "z", file_)};
+        const std::array<const PlyProperty*, 3> normals = normals_wanted(element);
         loaded_.mesh.vertices.reserve(rows_to_reserve(element, header_.format, file_));
         std::array<float, 3> position{};
+        std::array<float, 3> normal{};
         for (std::uint64_t row = 0; row < element.count; ++row) {
             body_.begin_row(element, row);
             for (const PlyProperty& property : element.properties) {
@@ -90,11 +102,36 @@ private:
                 if (axis < 3) {
                     position[static_cast<std::size_t>(axis)] = body_.next_coordinate(property.type);
                 } else {
-                    skip_property(property);
+                    read_normal(property, normals, normal);
                 }
             }
             body_.end_row();
             add_vertex(loaded_, {position[0], position[1], position[2]});
+            if (normals[0] != nullptr) {
+                attributes_->normals.push_back({normal[0], normal[1], normal[2]});
+            }
+        }
+    }
+
+    /// The properties of the vertices' normals, or nulls if they are not wanted or not all there.
+    std::array<const PlyProperty*, 3> normals_wanted(const PlyElement& vertex) const {
+        const std::array<const PlyProperty*, 3> found = {
+            find_number(vertex, "nx"), find_number(vertex, "ny"), find_number(vertex, "nz")};
+        const bool are_there = std::find(found.begin(), found.end(), nullptr) == found.end();
+        if (attributes_ == nullptr || !are_there) {
+            return {};
+        }
+        return found;
+    }
+
+    /// Passes a property that is no coordinate; if it is one of `normals`, it is kept.
+    void read_normal(const PlyProperty& property, std::span<const PlyProperty* const, 3> normals,
+                     std::array<float, 3>& normal) {
+        const auto axis = std::find(normals.begin(), normals.end(), &property) - normals.begin();
+        if (axis < 3) {
+            normal[static_cast<std::size_t>(axis)] = body_.next_value(property.type);
+        } else {
+            skip_property(property);
         }
     }
 
@@ -204,21 +241,22 @@ private:
     const PlyHeader& header_;
     Body body_;
     LoadedMesh& loaded_;
+    MeshAttributes* attributes_;
     std::int64_t vertex_count_;
 };
 
 }  // namespace
 
-LoadedMesh load_ply(const std::filesystem::path& file) {
+LoadedMesh load_ply(const std::filesystem::path& file, MeshAttributes* attributes) {
     InputFile input(file);
     LoadedMesh loaded;
     loaded.report.file = input.name();
     loaded.report.format = "ply";
     const PlyHeader header = read_ply_header(input);
     if (header.format == PlyFormat::ascii) {
-        PlyReader(input, header, AsciiPlyBody(input), loaded).read();
+        PlyReader(input, header, AsciiPlyBody(input), loaded, attributes).read();
     } else {
-        PlyReader(input, header, BinaryPlyBody(input, header.format), loaded).read();
+        PlyReader(input, header, BinaryPlyBody(input, header.format), loaded, attributes).read();
     }
     if (loaded.mesh.vertices.empty()) {
         throw file_error(ErrorCode::parse, input.name(), "no vertices");

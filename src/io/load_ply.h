@@ -1,5 +1,7 @@
 #pragma once
 
+#include "coppice/io/mesh_attributes.h"
+
 #include "io/loaded_mesh.h"
 
 #include <filesystem>
@@ -9,6 +11,7 @@ namespace coppice {
 /// Reads a PLY file, ASCII or binary of either byte order, plain or gzipped: the elements
 /// `vertex`, `face` and `tristrips`, with properties in any order and of any type; other elements
 /// are passed over and counted. Without faces and strips it is a point cloud: no triangles.
-[[nodiscard]] LoadedMesh load_ply(const std::filesystem::path& file);
+[[nodiscard]] LoadedMesh load_ply(const std::filesystem::path& file,
+                                  MeshAttributes* attributes = nullptr);
 
 }  // namespace coppice

@@ -8,10 +8,12 @@
 
 #include <assimp/Importer.hpp>
 #include <assimp/commonMetaData.h>
+#include <assimp/material.h>
 #include <assimp/mesh.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -41,6 +43,56 @@ void append_vertices(LoadedMesh& loaded, const aiMesh& mesh, const aiMatrix4x4& 
     }
 }
 
+/// Appends the normals of a mesh, zeros if it has none.
+void append_normals(MeshAttributes& attributes, const aiMesh& mesh, const aiMatrix4x4& to_world) {
+    // Normals go by the inverse transposed; a matrix that has none flattens what it shows.
+    const aiMatrix3x3 linear(to_world);
+    const bool can_invert = linear.Determinant() != 0.0F;
+    const aiMatrix3x3 turn =
+        can_invert ? aiMatrix3x3(linear).Inverse().Transpose() : aiMatrix3x3(linear);
+    for (unsigned id = 0; id < mesh.mNumVertices; ++id) {
+        aiVector3D normal;
+        if (mesh.HasNormals() && can_invert) normal = turn * mesh.mNormals[id];
+        attributes.normals.push_back({normal.x, normal.y, normal.z});
+    }
+}
+
+/// A colour by its key (`AI_MATKEY_...` stands for all three of its parts).
+Vec3f color_of(const aiMaterial& material, const char* key, unsigned type, unsigned index,
+               Vec3f otherwise) {
+    aiColor3D color(otherwise.x, otherwise.y, otherwise.z);
+    static_cast<void>(material.Get(key, type, index, color));
+    const auto amount = [](float value) { return value >= 0.0F ? std::min(value, 1e30F) : 0.0F; };
+    return {amount(color.r), amount(color.g), amount(color.b)};
+}
+
+/// A material in the terms of MTL: highlights where the file asks for them, and no mirrors.
+Material to_material(const aiMaterial& from) {
+    Material material;
+    material.name = from.GetName().C_Str();
+    material.diffuse = color_of(from, AI_MATKEY_COLOR_DIFFUSE, material.diffuse);
+    material.emission = color_of(from, AI_MATKEY_COLOR_EMISSIVE, material.emission);
+    int shading = aiShadingMode_Gouraud;
+    static_cast<void>(from.Get(AI_MATKEY_SHADING_MODEL, shading));
+    if (shading == aiShadingMode_Phong || shading == aiShadingMode_Blinn) {
+        material.illumination = 2;
+        material.specular = color_of(from, AI_MATKEY_COLOR_SPECULAR, material.specular);
+        static_cast<void>(from.Get(AI_MATKEY_SHININESS, material.shininess));
+        const bool is_amount = material.shininess >= 0.0F && std::isfinite(material.shininess);
+        if (!is_amount) material.shininess = 0.0F;
+    }
+    return material;
+}
+
+void append_attributes(MeshAttributes& attributes, const LoadedMesh& loaded, const aiMesh& mesh,
+                       const aiMatrix4x4& to_world) {
+    append_normals(attributes, mesh, to_world);
+    attributes.triangle_materials.resize(loaded.mesh.triangles.size(),
+                                         mesh.mMaterialIndex < attributes.materials.size()
+                                             ? mesh.mMaterialIndex
+                                             : MeshAttributes::none);
+}
+
 void append_mesh(LoadedMesh& loaded, const aiMesh& mesh, const aiMatrix4x4& to_world) {
     const auto first_vertex = static_cast<std::uint32_t>(loaded.mesh.vertices.size());
     append_vertices(loaded, mesh, to_world);
@@ -60,7 +112,12 @@ void append_mesh(LoadedMesh& loaded, const aiMesh& mesh, const aiMatrix4x4& to_w
 }
 
 /// Appends the meshes of all nodes; a mesh that several nodes show comes several times.
-void append_scene(LoadedMesh& loaded, const aiScene& scene) {
+void append_scene(LoadedMesh& loaded, const aiScene& scene, MeshAttributes* attributes) {
+    if (attributes != nullptr) {
+        for (const aiMaterial* material : std::span(scene.mMaterials, scene.mNumMaterials)) {
+            attributes->materials.push_back(to_material(*material));
+        }
+    }
     std::vector<std::pair<const aiNode*, aiMatrix4x4>> open = {{scene.mRootNode, aiMatrix4x4()}};
     while (!open.empty()) {
         const auto [node, parent_to_world] = open.back();
@@ -68,6 +125,9 @@ void append_scene(LoadedMesh& loaded, const aiScene& scene) {
         const aiMatrix4x4 to_world = parent_to_world * node->mTransformation;
         for (const unsigned mesh : std::span(node->mMeshes, node->mNumMeshes)) {
             append_mesh(loaded, *scene.mMeshes[mesh], to_world);
+            if (attributes != nullptr) {
+                append_attributes(*attributes, loaded, *scene.mMeshes[mesh], to_world);
+            }
         }
         // Backwards onto the stack: the meshes come in the order of the file.
         for (unsigned child = node->mNumChildren; child > 0; --child) {
@@ -90,7 +150,7 @@ bool is_scene_file_extension(const std::string& extension) {
     return Assimp::Importer().IsExtensionSupported(extension);
 }
 
-LoadedMesh load_scene_file(const std::filesystem::path& file) {
+LoadedMesh load_scene_file(const std::filesystem::path& file, MeshAttributes* attributes) {
     LoadedMesh loaded;
     loaded.report.file = InputFile(file).name();  // refuses what is no file or empty
     AssimpLog log;
@@ -106,7 +166,7 @@ LoadedMesh load_scene_file(const std::filesystem::path& file) {
     loaded.report.format = format_name(*scene);
     loaded.report.warning_count = log.message_count();
     loaded.report.warnings = log.messages();
-    append_scene(loaded, *scene);
+    append_scene(loaded, *scene, attributes);
     check_has_triangles(loaded);
     return loaded;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "coppice/io/mesh_attributes.h"
+
 #include "io/loaded_mesh.h"
 
 #include <filesystem>
@@ -11,6 +13,7 @@ namespace coppice {
 [[nodiscard]] bool is_scene_file_extension(const std::string& extension);
 
 /// Reads all meshes of a file through Assimp, by each node that shows them, in world space.
-[[nodiscard]] LoadedMesh load_scene_file(const std::filesystem::path& file);
+[[nodiscard]] LoadedMesh load_scene_file(const std::filesystem::path& file,
+                                         MeshAttributes* attributes = nullptr);
 
 }  // namespace coppice

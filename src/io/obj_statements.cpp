@@ -14,7 +14,7 @@ namespace coppice {
 namespace {
 
 /// The first index of a face corner, which must be one of v, v/vt, v//vn, v/vt/vn with integers.
-/// Nothing if it is not. vt and vn are not checked against the file: nothing here uses them.
+/// Nothing if it is not. vt and vn are not checked against the file here.
 std::optional<std::int64_t> vertex_index(std::string_view corner) {
     const char* const end = corner.data() + corner.size();
     std::array<std::int64_t, 3> indices{};
@@ -64,6 +64,9 @@ bool ObjStatements::next_statement() {
             check_face(rest);
             text_ += '\n';
             return true;
+        }
+        if (attributes_ != nullptr && attributes_->take_statement(keyword, rest)) {
+            continue;
         }
         report_.ignored_line_count += keyword.empty() ? 0 : 1;
     }

@@ -4,6 +4,7 @@
 #include "coppice/io/load_mesh.h"
 
 #include "io/input_file.h"
+#include "io/obj_attributes.h"
 #include "io/text.h"
 
 #include <cstddef>
@@ -23,8 +24,9 @@ namespace coppice {
 /// Statements of other kinds are counted in the report and withheld.
 class ObjStatements : public std::streambuf {
 public:
-    /// Both must outlive this.
-    ObjStatements(InputFile& file, LoadReport& report) : file_(file), report_(report) {}
+    /// All must outlive this. `attributes`, if given, gets the statements of other kinds first.
+    ObjStatements(InputFile& file, LoadReport& report, ObjAttributes* attributes)
+        : file_(file), report_(report), attributes_(attributes) {}
 
     /// Coordinates of the current statement, a vertex. tinyobjloader's own are not the nearest
     /// floats: it reads 432.46302795410156251 one unit in the last place too low.
@@ -55,6 +57,7 @@ private:
 
     InputFile& file_;
     LoadReport& report_;
+    ObjAttributes* attributes_;
     std::string text_;      ///< the current statement
     std::size_t line_ = 0;  ///< its first line
     Vec3f vertex_;

@@ -41,12 +41,18 @@ std::int64_t AsciiPlyBody::next_integer(PlyType /*type*/) {
     return *value;
 }
 
-void AsciiPlyBody::skip(PlyType /*type*/, std::uint64_t count) {
+float AsciiPlyBody::next_value(PlyType /*type*/) {
+    const std::string_view word = next_word();
+    const std::optional<float> value = parse_float(word);
+    if (!value) {
+        fail(fmt::format("malformed number {}", in_quotes(word)));
+    }
+    return *value;
+}
+
+void AsciiPlyBody::skip(PlyType type, std::uint64_t count) {
     for (std::uint64_t i = 0; i < count; ++i) {
-        const std::string_view word = next_word();
-        if (!parse_float(word)) {
-            fail(fmt::format("malformed number {}", in_quotes(word)));
-        }
+        static_cast<void>(next_value(type));
     }
 }
 

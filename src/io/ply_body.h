@@ -24,7 +24,10 @@ public:
     /// Fails if the row has numbers left.
     void end_row();
 
+    /// A finite float; fails for any other number.
     [[nodiscard]] float next_coordinate(PlyType type);
+    /// Any number as a float.
+    [[nodiscard]] float next_value(PlyType type);
     [[nodiscard]] std::int64_t next_integer(PlyType type);
     /// Passes over `count` numbers.
     void skip(PlyType type, std::uint64_t count);
@@ -59,6 +62,8 @@ public:
     void end_row() noexcept {}
 
     [[nodiscard]] float next_coordinate(PlyType type);
+
+    [[nodiscard]] float next_value(PlyType type) { return static_cast<float>(next_number(type)); }
 
     [[nodiscard]] std::int64_t next_integer(PlyType type) {
         return static_cast<std::int64_t>(next_number(type));

@@ -25,6 +25,15 @@ void TextPlace::fail(std::string_view message) const {
     throw file_error(ErrorCode::parse, file, line, message);
 }
 
+std::string_view trimmed(std::string_view text) noexcept {
+    constexpr std::string_view gaps = " \t";
+    const std::size_t first = text.find_first_not_of(gaps);
+    if (first == std::string_view::npos) {
+        return {};
+    }
+    return text.substr(first, text.find_last_not_of(gaps) - first + 1);
+}
+
 bool is_blank(std::string_view text) noexcept {
     return text.find_first_not_of(" \t\r\n\v\f") == std::string_view::npos;
 }

@@ -34,6 +34,9 @@ struct TextPlace {
     return word;
 }
 
+/// `text` without the blanks and tabs around it.
+[[nodiscard]] std::string_view trimmed(std::string_view text) noexcept;
+
 /// True if there is nothing but white space in `text`.
 [[nodiscard]] bool is_blank(std::string_view text) noexcept;
 

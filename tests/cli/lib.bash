@@ -5,6 +5,7 @@
 # and then runs in a fresh temporary folder, removed at its end. It has:
 #
 #     coppice ARG...            the program under test
+#     $tests                    the folder tests/cli; terminal.py there runs a command on a terminal
 #     $data                     the folder tests/data
 #     $stdout $stderr           what the last expect_exit saw
 #     expect_exit CODE CMD...   runs CMD, keeps its output, fails unless it exits with CODE
@@ -24,7 +25,8 @@ set -euo pipefail
 export LC_ALL=C
 
 : "${COPPICE:?set COPPICE to the program under test}"
-data=$(cd "$(dirname "${BASH_SOURCE[0]}")/../data" && pwd)
+tests=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+data=$(cd "$tests/../data" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"

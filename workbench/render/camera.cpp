@@ -5,12 +5,18 @@
 #include "render/camera.h"
 
 #include "coppice/base/error.h"
+#include "coppice/geom/triangle_mesh.h"
+
+#include "render/vector_math.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <vector>
 
 namespace coppice::render {
 
@@ -24,19 +30,6 @@ struct View {
     Vec3d right;
     Vec3d up;
 };
-
-double length(Vec3d v) {
-    return std::sqrt(dot(v, v));
-}
-
-/// The vector at length 1; 0 if it has no length.
-Vec3d normalized(Vec3d v) {
-    // First to a size whose square neither overflows nor vanishes.
-    const double size = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    if (!(size > 0.0)) return {};
-    const Vec3d scaled = (1.0 / size) * v;
-    return (1.0 / length(scaled)) * scaled;
-}
 
 View view_along(Vec3d direction, Vec3d up) {
     const Vec3d forward = normalized(direction);
@@ -76,6 +69,15 @@ Vec3f likely_up(const Aabb& box) {
     return is_flat_in_z ? Vec3f{0.0F, 0.0F, 1.0F} : Vec3f{0.0F, 1.0F, 0.0F};
 }
 
+/// The same of a model that may say more: if it stands on z = 0 and not on y = 0, up is z.
+Vec3f likely_up_of_model(const Aabb& box) {
+    const auto stands_on = [&box](Axis axis) {
+        return std::abs(double{box.lower[axis]}) <= 0.02 * box.extent(axis);
+    };
+    const bool stands_on_z = stands_on(Axis::z) && !stands_on(Axis::y);
+    return stands_on_z ? Vec3f{0.0F, 0.0F, 1.0F} : likely_up(box);
+}
+
 /// The view that shows most of a box.
 View best_view(const Aabb& box, Vec3d up) {
     constexpr int side_count = 16;
@@ -100,18 +102,51 @@ View best_view(const Aabb& box, Vec3d up) {
     return best;
 }
 
-/// How far behind `target` the eye must be to see all corners of a box.
-double framing_distance(const Aabb& box, Vec3d target, const View& view, double tan_half_height,
-                        double aspect) {
+/// How far behind `target` the eye must be to see all points.
+double framing_distance(std::span<const Vec3d> points, Vec3d target, const View& view,
+                        double tan_half_height, double aspect) {
     double distance = 0.0;
-    for (const Vec3d corner : corners_of(box)) {
-        const Vec3d offset = corner - target;
+    for (const Vec3d point : points) {
+        const Vec3d offset = point - target;
         const double depth = dot(offset, view.forward);
         const double across = std::abs(dot(offset, view.right)) / (aspect * tan_half_height);
         const double along = std::abs(dot(offset, view.up)) / tan_half_height;
         distance = std::max({distance, across - depth, along - depth});
     }
     return distance > 0.0 ? margin * distance : 1.0;
+}
+
+/// The view from the opposite side if this one is from the back.
+View from_front(const View& view, Vec3d vertical) {
+    const Vec3d front =
+        std::abs(vertical.y) >= std::abs(vertical.z) ? Vec3d{0.0, 0.0, 1.0} : Vec3d{0.0, -1.0, 0.0};
+    const Vec3d level = view.forward - dot(view.forward, vertical) * vertical;
+    const bool is_from_front = dot(level, front) <= 0.0;
+    return is_from_front ? view : view_along(view.forward - 2.0 * level, vertical);
+}
+
+/// The middle of what points span along the axes of a view.
+Vec3d center_in_view(std::span<const Vec3d> points, const View& view) {
+    Vec3d center;
+    for (const Vec3d axis : {view.forward, view.right, view.up}) {
+        double lowest = std::numeric_limits<double>::infinity();
+        double highest = -lowest;
+        for (const Vec3d point : points) {
+            lowest = std::min(lowest, dot(point, axis));
+            highest = std::max(highest, dot(point, axis));
+        }
+        center = center + 0.5 * (lowest + highest) * axis;
+    }
+    return center;
+}
+
+/// The nearest multiple of `unit`, unless that is too small for such arithmetic.
+Vec3f rounded(Vec3d v, double unit) {
+    const auto round = [unit](double x) {
+        const double multiple = std::round(x / unit) * unit;
+        return std::isfinite(multiple) ? multiple + 0.0 : x;  // + 0.0: no -0
+    };
+    return to_float({round(v.x), round(v.y), round(v.z)});
 }
 
 double tan_half(double fov) {
@@ -132,8 +167,29 @@ Camera frame_box(const Aabb& box, const CameraWish& wish, double aspect) {
         return camera;
     }
     const View view = best_view(seen, to_double(camera.up));
-    const double distance = framing_distance(seen, target, view, tan_half(wish.fov), aspect);
+    const double distance =
+        framing_distance(corners_of(seen), target, view, tan_half(wish.fov), aspect);
     camera.eye = to_float(target - distance * view.forward);
+    return camera;
+}
+
+Camera frame_points(std::span<const Vec3f> points, const CameraWish& wish, double aspect) {
+    if (points.empty()) return frame_box({}, wish, aspect);
+    const Aabb box = bounds_of(points);
+    CameraWish known = wish;
+    known.up = wish.up.value_or(likely_up_of_model(box));
+    Camera camera = frame_box(box, known, aspect);
+    if (wish.eye) return camera;
+    std::vector<Vec3d> seen(points.size());
+    std::transform(points.begin(), points.end(), seen.begin(), to_double);
+    const Vec3d vertical = normalized(to_double(camera.up));
+    const View view = from_front(best_view(box, vertical), vertical);
+    const Vec3d target = wish.look_at ? to_double(*wish.look_at) : center_in_view(seen, view);
+    const double distance = framing_distance(seen, target, view, tan_half(wish.fov), aspect);
+    // Few digits, since people copy them: to a ten-thousandth of the distance.
+    const double unit = std::pow(10.0, std::floor(std::log10(distance)) - 4.0);
+    if (!wish.look_at) camera.look_at = rounded(target, unit);
+    camera.eye = rounded(target - distance * view.forward, unit);
     return camera;
 }
 
@@ -172,9 +228,9 @@ CameraRays::CameraRays(const Camera& camera, int width, int height)
     right_ = half_height * width / height * view.right;
 }
 
-Ray CameraRays::through(int x, int y) const noexcept {
-    const double across = (2.0 * x + 1.0) / width_ - 1.0;
-    const double up = 1.0 - (2.0 * y + 1.0) / height_;
+Ray CameraRays::at(double x, double y) const noexcept {
+    const double across = 2.0 * x / width_ - 1.0;
+    const double up = 1.0 - 2.0 * y / height_;
     return {eye_, to_float(normalized(forward_ + across * right_ + up * up_))};
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <optional>
+#include <span>
 
 namespace coppice::render {
 
@@ -30,6 +31,12 @@ struct CameraWish {
 /// for is kept, and the rest chosen around it. An empty box is taken for the point 0.
 [[nodiscard]] Camera frame_box(const Aabb& box, const CameraWish& wish, double aspect);
 
+/// The same for points, closer: their own extent is looked at, not their box's, and from its front
+/// if two opposite sides are alike: models mostly face +z if y is up, and -y if z is. Up is z, too,
+/// if they stand on z = 0 and not on y = 0.
+[[nodiscard]] Camera frame_points(std::span<const Vec3f> points, const CameraWish& wish,
+                                  double aspect);
+
 /// A place for a light that serves what a camera sees of a box: above and right of the eye, by part
 /// of the distance to what it looks at; within the box if the eye is.
 [[nodiscard]] Vec3f place_light(const Camera& camera, const Aabb& box);
@@ -42,7 +49,10 @@ public:
     CameraRays(const Camera& camera, int width, int height);
 
     /// Pixel (0, 0) is the upper left one. The direction has unit length.
-    [[nodiscard]] Ray through(int x, int y) const noexcept;
+    [[nodiscard]] Ray through(int x, int y) const noexcept { return at(x + 0.5, y + 0.5); }
+
+    /// The ray through any point of the image, in pixels from its upper left corner.
+    [[nodiscard]] Ray at(double x, double y) const noexcept;
 
 private:
     Vec3f eye_;

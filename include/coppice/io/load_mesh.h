@@ -12,6 +12,8 @@
 
 namespace coppice {
 
+struct MeshAttributes;
+
 /// How often something odd but legal was met in a file, and the first places of it.
 struct Oddity {
     static constexpr std::size_t kept_places = 8;
@@ -53,17 +55,20 @@ void to_json(nlohmann::json& json, const Oddity& oddity);
 /// Serializes a report, all fields under their own names.
 void to_json(nlohmann::json& json, const LoadReport& report);
 
-/// Reads a triangle mesh: .obj (materials ignored), .ply, both also gzipped (.obj.gz, .ply.gz),
+/// Reads a triangle mesh: .obj, .ply, both also gzipped (.obj.gz, .ply.gz),
 /// .off, and through Assimp .stl, .gltf, .glb, .dae, .x3d, .3ds, .fbx and others by file name.
 /// Polygons are cut into fans; all scene transforms are applied. A PLY file without faces is a
 /// point cloud and gives a mesh with no triangles. Vertices keep their order and are not merged
 /// (OBJ, PLY). Coordinates become the nearest floats.
-/// If `report` is given it receives counts of all that was odd.
-/// Throws Error (io, parse, unsupported, limit) naming the file, and the 1-based line for text in
-/// OBJ, PLY and OFF files (the first line of a statement that goes on over several): missing or
-/// empty file, directory, device, unknown extension, malformed or out-of-range indices, NaN or
-/// infinite coordinates or such beyond the range of float, no faces, truncated data.
+/// If `report` is given it receives counts of all that was odd. If `attributes` is given it
+/// receives materials (OBJ with its MTL files, Assimp) and normals (OBJ, PLY, Assimp); what of them
+/// is missing or malformed becomes a warning there. Otherwise both are passed over. Throws Error
+/// (io, parse, unsupported, limit) naming the file, and the 1-based line for text in OBJ, PLY and
+/// OFF files (the first line of a statement that goes on over several): missing or empty file,
+/// directory, device, unknown extension, malformed or out-of-range indices, NaN or infinite
+/// coordinates or such beyond the range of float, no faces, truncated data.
 [[nodiscard]] TriangleMesh load_mesh(const std::filesystem::path& file,
-                                     LoadReport* report = nullptr);
+                                     LoadReport* report = nullptr,
+                                     MeshAttributes* attributes = nullptr);
 
 }  // namespace coppice

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "coppice/build/build_report.h"
+#include "coppice/build/method.h"
+#include "coppice/geom/ray.h"
+#include "coppice/geom/triangle_mesh.h"
+#include "coppice/trace/traversal_counts.h"
+
+#include <memory>
+#include <optional>
+
+namespace coppice::render {
+
+/// What the renderer asks of a tree, whichever kind it is.
+class RayTracer {
+public:
+    RayTracer() = default;
+    RayTracer(const RayTracer&) = delete;
+    RayTracer& operator=(const RayTracer&) = delete;
+    virtual ~RayTracer() = default;
+
+    /// The closest hit, or nothing.
+    [[nodiscard]] virtual std::optional<Hit> intersect(const Ray& ray) const noexcept = 0;
+
+    /// The same, and adds what it took to `counts`.
+    [[nodiscard]] virtual std::optional<Hit> intersect(const Ray& ray,
+                                                       TraversalCounts& counts) const noexcept = 0;
+
+    /// True if anything lies on the ray.
+    [[nodiscard]] virtual bool occluded(const Ray& ray) const noexcept = 0;
+};
+
+/// Builds a tree over a mesh, which must outlive the tracer, by a method with `options`. Throws
+/// Error like build_kd_tree() and build_wide_bvh().
+[[nodiscard]] std::unique_ptr<RayTracer> build_tracer(const Method& method,
+                                                      const BuildOptions& options,
+                                                      TriangleMeshView mesh,
+                                                      BuildReport* report = nullptr);
+
+}  // namespace coppice::render

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "coppice/build/build_report.h"
+#include "coppice/build/method.h"
+
+#include "render/camera.h"
+#include "render/lighting.h"
+#include "render/render.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace coppice::render {
+
+/// What `coppice render` did, but for the image.
+struct RenderReport {
+    std::string scene;  ///< its name
+    std::string file;
+    std::uint32_t triangle_count = 0;
+    std::uint64_t emitter_count = 0;  ///< triangles that shine
+    double load_seconds = 0.0;
+    TreeKind tree = TreeKind::wide;
+    BuildReport build;
+    std::string integrator;
+    IntegratorOptions integrator_options;
+    RenderOptions options;
+    int threads = 1;  ///< that were used
+    Camera camera;
+    bool is_camera_chosen = false;  ///< rather than given
+    std::optional<Lamp> lamp;
+    bool is_lamp_chosen = false;
+    std::optional<Vec3f> sky;  ///< if it is of one colour
+    RayCounts rays;
+    std::uint64_t pixel_count = 0;  ///< that are done
+    double trace_seconds = 0.0;
+    std::optional<double> cost_scale;  ///< of the heat map, if it is one
+    std::string output;
+    std::vector<std::string> warnings;
+
+    [[nodiscard]] double build_seconds() const noexcept { return build.stages.wall_seconds(); }
+
+    /// Millions of rays a second, of all kinds together; 0 if no time has passed.
+    [[nodiscard]] double mrays_per_second() const noexcept;
+};
+
+/// The options that give this camera again: "--eye=1,2,3 --look-at=0,0,0 --up=0,1,0 --fov=45".
+[[nodiscard]] std::string camera_text(const Camera& camera);
+
+/// The report as lines of text, but for where the image is.
+[[nodiscard]] std::string render_text(const RenderReport& report);
+
+/// Serializes all fields under their own names, and `mrays_per_second`.
+void to_json(nlohmann::json& json, const RenderReport& report);
+
+}  // namespace coppice::render
