@@ -39,6 +39,10 @@ PY
 random False
 exact 3 [50.0, 60.0, 70.0]"
 
+expect_exit 0 coppice trace balls.ply --size 10 --rays shadow,grazing --method fast --count
+expect_stdout '^shadow +nodes +[1-9]'
+expect_stdout '^grazing +primitives +[1-9]'
+
 # Embree, where the program has it.
 if coppice list --json | grep -q embree-robust; then
     expect_exit 0 coppice trace town.obj --size 40 --check embree --threads 1 --json e.json

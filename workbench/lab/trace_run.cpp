@@ -184,10 +184,7 @@ TriangleMesh load_scene(const Run& run, const TraceScene& scene) {
 }
 
 void check(const TraceOptions& options) {
-    const Method& method = find_method(options.method);
-    if (options.counts && method.tree == TreeKind::wide) {
-        throw Error(ErrorCode::unsupported, "only k-d trees are counted: choose another method");
-    }
+    static_cast<void>(find_method(options.method));
     if (options.size < 1 || options.size > TraceOptions::max_size) {
         throw Error(ErrorCode::invalid_argument, fmt::format("size {} is outside [1, {}]",
                                                              options.size, TraceOptions::max_size));

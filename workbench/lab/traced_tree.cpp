@@ -19,7 +19,7 @@ std::optional<Hit> TracedTree::intersect(const Ray& ray) const noexcept {
 }
 
 std::optional<Hit> TracedTree::intersect(const Ray& ray, TraversalCounts& counts) const noexcept {
-    return wide_ ? wide_->intersect(ray) : coppice::intersect(kd_, mesh_, ray, counts);
+    return wide_ ? wide_->intersect(ray, counts) : coppice::intersect(kd_, mesh_, ray, counts);
 }
 
 bool TracedTree::occluded(const Ray& ray) const noexcept {
@@ -27,7 +27,7 @@ bool TracedTree::occluded(const Ray& ray) const noexcept {
 }
 
 bool TracedTree::occluded(const Ray& ray, TraversalCounts& counts) const noexcept {
-    return wide_ ? wide_->occluded(ray) : coppice::occluded(kd_, mesh_, ray, counts);
+    return wide_ ? wide_->occluded(ray, counts) : coppice::occluded(kd_, mesh_, ray, counts);
 }
 
 }  // namespace coppice::lab
