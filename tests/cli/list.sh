@@ -18,7 +18,7 @@ for key, entries in json.load(sys.stdin).items():
 ' <<<"$stdout")" 'primitives points triangles
 protocols fixed scaled grown
 methods exact binned sampled subsampled adaptive sweep fast balanced quality auto
-integrators whitted ao path normal depth
+integrators whitted ao path normal depth cost
 rays primary shadow diffuse random axis grazing
 splits sah median midpoint exact binned subsampled adaptive
 samplers uniform stratified weighted

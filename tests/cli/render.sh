@@ -51,6 +51,15 @@ print(report["method"], report["tree"], report["complete"], camera["eye"], camer
       report["output"])' <<<"$stdout")" 'sampled kd True [50.0, 60.0, 70.0] False new/a.png'
 expect_file new/a.png
 
+# Cost: the steps of a ray, with a scale that is chosen or given.
+expect_exit 0 coppice render balls.ply -o cost.png --size 200x100 --spp 1 --integrator cost \
+    --method sampled
+expect_stdout '^  steps   [0-9.]+ inner nodes, [0-9.]+ leaves, [0-9.]+ primitives a ray; --cost-scale=[0-9]+$'
+scale=$(sed -n 's/.*\(--cost-scale=.*\)/\1/p' <<<"$stdout")
+coppice render balls.ply -o again.png --size 200x100 --spp 1 --integrator cost --method sampled \
+    "$scale" >/dev/null
+expect_same_file cost.png again.png
+
 # Materials: without their file grey, and a warning.
 expect_exit 0 coppice render "$data/tetrahedron.obj" -o a.png "${quick[@]}"
 expect_stderr_one_line
