@@ -59,6 +59,8 @@ struct Hit {
     float v = 0.0F;
     std::uint32_t prim = 0;
     Vec3f normal;
+
+    friend bool operator==(const Hit&, const Hit&) = default;
 };
 
 }  // namespace coppice

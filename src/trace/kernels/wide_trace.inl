@@ -86,7 +86,8 @@ private:
         while (top_ != stack_.data()) {
             --top_;
             at = top_->child();
-            if (!Query::nearest_first || top_->enter() <= limit_) return true;
+            const bool is_near = !Query::nearest_first || top_->enter() <= limit_;
+            if (is_near && is_child(at)) return true;
         }
         return false;
     }
@@ -118,7 +119,12 @@ private:
             } while (rest != 0);
             if (Query::nearest_first) at = nearest.child();
         }
-        return BoxRay::never_meets_empty || !at.is_empty();
+        return is_child(at);
+    }
+
+    // Whether a met slot holds anything.
+    static bool is_child(WideChild met) noexcept {
+        return BoxRay::never_meets_empty || !met.is_empty();
     }
 
     void prefetch(WideChild child) const noexcept {
