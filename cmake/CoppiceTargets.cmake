@@ -30,6 +30,19 @@ function(coppice_target target)
   endif()
 endfunction()
 
+# coppice_precompile(<target> <header>...): parses what most sources of a target include once. Of use
+# only without ccache, which does not keep what was compiled so.
+if(CMAKE_CXX_COMPILER_LAUNCHER)
+  option(COPPICE_PRECOMPILE "Precompile headers" OFF)
+else()
+  option(COPPICE_PRECOMPILE "Precompile headers" ON)
+endif()
+function(coppice_precompile target)
+  if(COPPICE_PRECOMPILE)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+  endif()
+endfunction()
+
 # coppice_embed(<target> <symbol> <file>): puts a file's bytes into a target, readable through
 #   extern "C" const char <symbol>_begin[], <symbol>_end[];
 function(coppice_embed target symbol file)
