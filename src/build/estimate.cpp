@@ -1,11 +1,12 @@
 // What a build will come to is found out by building a part of it: a sixteenth of the scene, in
 // pieces from all over it, and a quarter of that again, by the very builder in question, so that
 // nothing about any builder need be known here. Counts and bytes grow with the share probed.
-// Seconds grow a little faster, as n (a + b log2 n): the two sizes give b. The smaller probe is
-// built twice, since the first build of a process is slower than all others; but the build to come
-// touches its memory for the first time, and what that takes is measured on an eighth of it.
-// Cost: about a tenth of the build of a k-d tree, half of that of a wide tree. Error: what the
-// pieces differ from the rest of the scene, and for the seconds the noise of the machine.
+// Seconds grow a little faster, as n (a + b log2 n): the two sizes give b. Each probe is
+// built twice and the faster build counts, since the first of a process is slower than all others
+// and a short one is easily disturbed; but the build to come touches its memory for the first time,
+// and what that takes is measured on an eighth of it. Cost: about a fifth of the build of a k-d
+// tree, of that of a wide tree as much as the whole. Error: what the pieces differ from the rest of
+// the scene, and for the seconds the noise of the machine.
 
 #include "coppice/build/estimate.h"
 
@@ -93,9 +94,13 @@ Estimate estimate_by(PrimitiveSetView primitives, const BuildOptions& options, B
                                  one_in);
     });
     const Probe thinned = probe->thinned(thinned_to);
-    static_cast<void>(build(thinned));
-    const ProbeBuild smaller = build(thinned);
-    const ProbeBuild larger = build(*probe);
+    const auto faster_of_two = [&](const Probe& part) {
+        const ProbeBuild first = build(part);
+        const ProbeBuild second = build(part);
+        return first.seconds() < second.seconds() ? first : second;
+    };
+    const ProbeBuild smaller = faster_of_two(thinned);
+    const ProbeBuild larger = faster_of_two(*probe);
     return extrapolated(smaller, larger,
                         std::max(1.0, primitives.size() / std::max(1.0, larger.size)));
 }
