@@ -29,8 +29,9 @@ public:
     void insert(const Hit& hit) noexcept {
         if (has_after_ && !is_before(after_, hit)) return;
         std::size_t place = size_;
-        while (place > 0 && is_before(hit, hits_[place - 1]))
+        while (place > 0 && is_before(hit, hits_[place - 1])) {
             --place;
+        }
         if (place == hits_.size()) return;
         // The same triangle from another leaf.
         if (place > 0 && !is_before(hits_[place - 1], hit)) return;

@@ -76,7 +76,7 @@ TEST(EncodeImage, PfmHasTheLowestRowFirst) {
     const std::string file = encode_pfm(gradient());
     const std::string head = "PF\n3 2\n-1.0\n";
     ASSERT_TRUE(file.starts_with(head));
-    ASSERT_EQ(file.size(), head.size() + 3 * 2 * 3 * sizeof(float));
+    ASSERT_EQ(file.size(), head.size() + sizeof(float) * 3 * 2 * 3);
     std::array<float, 6> first{};
     std::memcpy(first.data(), file.data() + head.size(), sizeof first);
     EXPECT_EQ(first, (std::array{0.0F, 1.0F, -1e9F, 1.0F, 1.0F, -1e9F}));

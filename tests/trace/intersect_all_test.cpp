@@ -33,12 +33,6 @@ std::vector<Hit> sorted_hits(TriangleMeshView mesh, const Ray& ray) {
     return hits;
 }
 
-bool are_equal(std::span<const Hit> a, std::span<const Hit> b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Hit& x, const Hit& y) {
-        return x.t == y.t && x.u == y.u && x.v == y.v && x.prim == y.prim;
-    });
-}
-
 // All hits, `at_a_time` of them in each call of `find(hits, after)`.
 template <typename Find>
 std::vector<Hit> gathered(std::size_t at_a_time, Find&& find) {
@@ -53,27 +47,32 @@ std::vector<Hit> gathered(std::size_t at_a_time, Find&& find) {
 
 class IntersectAllScene : public testing::TestWithParam<NamedScene> {};
 
+// As the tree and brute force find them, in pieces of any size.
+void expect_hits(const KdTree& tree, TriangleMeshView mesh, const Ray& ray) {
+    const std::vector<Hit> expected = sorted_hits(mesh, ray);
+    ASSERT_EQ(count_hits(tree, mesh, ray), expected.size());
+    ASSERT_EQ(brute_force_count_hits(mesh, ray), expected.size());
+    for (const std::size_t at_a_time : {3U, 100U}) {
+        if (expected.size() > 300 * at_a_time) continue;
+        const auto found = gathered(at_a_time, [&](std::span<Hit> hits, const Hit* after) {
+            return intersect_all(tree, mesh, ray, hits, after);
+        });
+        ASSERT_EQ(found, expected);
+    }
+    const auto by_force = gathered(1000, [&](std::span<Hit> hits, const Hit* after) {
+        return brute_force_intersect_all(mesh, ray, hits, after);
+    });
+    ASSERT_EQ(by_force, expected);
+}
+
 TEST_P(IntersectAllScene, EqualsBruteForceInPiecesOfAnySize) {
     const TriangleMesh mesh = GetParam().make();
     const KdTree tree = build_kd_tree(mesh.view(), {.sample = {.rate = 0.3}});
     RaySource rays(mesh, tree, 23);
     for (const RayKind kind : all_ray_kinds) {
         for (int i = 0; i < 6; ++i) {
-            const Ray ray = rays.next(kind);
-            const std::vector<Hit> expected = sorted_hits(mesh.view(), ray);
-            ASSERT_EQ(count_hits(tree, mesh.view(), ray), expected.size()) << name_of(kind);
-            ASSERT_EQ(brute_force_count_hits(mesh.view(), ray), expected.size());
-            for (const std::size_t at_a_time : {3U, 100U}) {
-                if (expected.size() > 300 * at_a_time) continue;
-                const auto found = gathered(at_a_time, [&](std::span<Hit> hits, const Hit* after) {
-                    return intersect_all(tree, mesh.view(), ray, hits, after);
-                });
-                ASSERT_TRUE(are_equal(found, expected)) << name_of(kind) << " " << i;
-            }
-            const auto by_force = gathered(1000, [&](std::span<Hit> hits, const Hit* after) {
-                return brute_force_intersect_all(mesh.view(), ray, hits, after);
-            });
-            ASSERT_TRUE(are_equal(by_force, expected));
+            SCOPED_TRACE(testing::Message() << name_of(kind) << " " << i);
+            expect_hits(tree, mesh.view(), rays.next(kind));
         }
     }
 }
@@ -99,7 +98,8 @@ TEST_F(Sheets, AreHitInOrderOfDistanceThenId) {
     std::array<Hit, 8> hits;
     ASSERT_EQ(intersect_all(tree_, mesh_.view(), up_, hits), 8U);
     for (std::size_t i = 0; i < hits.size(); ++i) {
-        EXPECT_EQ(hits[i].t, 1.0F + static_cast<float>(i / 2));
+        const std::size_t sheet = i / 2;
+        EXPECT_EQ(hits[i].t, 1.0F + static_cast<float>(sheet));
         if (i % 2 == 1) {
             EXPECT_EQ(hits[i].prim, hits[i - 1].prim + 1);
         }

@@ -45,7 +45,8 @@ struct Window {
 
 // The best two bins of 32 that a window is divided into.
 Window narrowed(const Window& window, const SplitQuery& query, const PlaneEvaluator& evaluator) {
-    constexpr auto finer = static_cast<float>(bin_count / 2);
+    constexpr std::size_t bins_of_each = bin_count / 2;
+    constexpr auto finer = static_cast<float>(bins_of_each);
     const float origin =
         static_cast<float>(window.first_bin) / window.bins_per_unit + window.origin;
     const float bins_per_unit = finer * window.bins_per_unit;

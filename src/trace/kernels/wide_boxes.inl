@@ -106,7 +106,7 @@ struct QuickRay {
     static Vec3f by_axis(Vec3f a, Vec3f b) noexcept { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 
     // The children whose boxes the ray meets between enter and exit.
-    BoxHits meet(const WideNode& node, Lanes enter, Lanes exit) const noexcept {
+    [[nodiscard]] BoxHits meet(const WideNode& node, Lanes enter, Lanes exit) const noexcept {
         const auto near = [&](std::size_t row, Lanes inverse, Lanes at_0) {
             return multiply_subtract(load_row(node, row), inverse, at_0);
         };
@@ -141,7 +141,7 @@ struct CarefulRay {
 
     // The children whose boxes the ray may meet between enter and exit, at distances of either sign.
     // Empty ones only if no axis cuts.
-    BoxHits meet(const WideNode& node, Lanes enter, Lanes exit) const noexcept {
+    [[nodiscard]] BoxHits meet(const WideNode& node, Lanes enter, Lanes exit) const noexcept {
         const Lanes low = broadcast(shrink * shrink);
         const Lanes high = broadcast(grow * grow);
         const auto distance = [&](std::size_t row, Lanes from, Lanes per_unit) {

@@ -11,6 +11,19 @@
 namespace coppice::test {
 namespace {
 
+BestSplit best_by_scalar_code(const std::vector<Fragment>& fragments, Axis axis,
+                              const SahCostModel& model) {
+    const PlaneEvaluator evaluator(unit_cube, axis, model);
+    BestSplit best;
+    for (const Fragment& fragment : fragments) {
+        for (const float end : {fragment.box.lower[axis], fragment.box.upper[axis]}) {
+            if (!evaluator.is_inside(end)) continue;
+            best.offer(evaluate_plane({fragments, unit_cube, model, 0.0}, {axis, end}));
+        }
+    }
+    return best;
+}
+
 // The best plane and its cost are, bit for bit, those of evaluate_plane() on all ends.
 TEST(FindBestPlane, EqualsTheScalarCode_3) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -31,17 +44,13 @@ TEST(FindBestPlane, EqualsTheScalarCode_3) {
             AxisEnds ends{lower.data(),     upper.data(), weight.data(),
                           fragments.size(), false,        !has_weights};
             const PlaneEvaluator evaluator(unit_cube, axis, model);
-            BestSplit expected;
             for (std::size_t i = 0; i < fragments.size(); ++i) {
                 lower[i] = fragments[i].box.lower[axis];
                 upper[i] = fragments[i].box.upper[axis];
                 weight[i] = fragments[i].weight;
                 ends.has_planar |= lower[i] == upper[i];
-                for (const float end : {lower[i], upper[i]}) {
-                    if (!evaluator.is_inside(end)) continue;
-                    expected.offer(evaluate_plane({fragments, unit_cube, model, 0.0}, {axis, end}));
-                }
             }
+            const BestSplit expected = best_by_scalar_code(fragments, axis, model);
             const BestPlane best = find_best_plane(ends, evaluator.terms());
             ASSERT_EQ(best.cost, expected.cost());
             if (!expected.get()) continue;

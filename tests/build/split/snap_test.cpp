@@ -8,6 +8,21 @@
 namespace coppice::test {
 namespace {
 
+// Of the ends on the y axis in the bins on both sides of a boundary.
+double cheapest_end(const std::vector<Fragment>& fragments, std::size_t bin,
+                    const SahCostModel& model) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Fragment& fragment : fragments) {
+        for (const float end : {fragment.box.lower.y, fragment.box.upper.y}) {
+            const std::size_t end_bin = bin_of(end, 0.0F, 32.0F);
+            if (end_bin + 1 != bin && end_bin != bin) continue;
+            if (end <= 0.0F || end >= 1.0F) continue;
+            least = std::min(least, naive_plane_cost(fragments, unit_cube, model, {Axis::y, end}));
+        }
+    }
+    return least;
+}
+
 // Of all fragment ends in the two bins around a boundary the cheapest is found.
 TEST(Snap, FindsTheCheapestEndNearBy_8) {
     Random random(8);
@@ -22,16 +37,7 @@ TEST(Snap, FindsTheCheapestEndNearBy_8) {
             coarse.split.plane.axis = Axis::y;
             coarse.bin = bin;
             const Split split = snap(query, grid, bins[1], coarse);
-            double expected = std::numeric_limits<double>::infinity();
-            for (const Fragment& fragment : fragments) {
-                for (const float end : {fragment.box.lower.y, fragment.box.upper.y}) {
-                    const std::size_t end_bin = bin_of(end, 0.0F, 32.0F);
-                    if (end_bin + 1 != bin && end_bin != bin) continue;
-                    if (end <= 0.0F || end >= 1.0F) continue;
-                    expected = std::min(
-                        expected, naive_plane_cost(fragments, unit_cube, model, {Axis::y, end}));
-                }
-            }
+            const double expected = cheapest_end(fragments, bin, model);
             if (expected == std::numeric_limits<double>::infinity()) {
                 EXPECT_EQ(split.cost, expected);
             } else {
