@@ -23,9 +23,7 @@ int main() {
     }
 
     std::vector<coppice::Hit> hits(rays.size());
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (const auto hit = scene.intersect(rays[i])) hits[i] = *hit;
-    }
+    scene.intersect(rays, hits, 0);  // on all threads; t is infinite where nothing is hit
 
     const float depth = box.upper.z - box.lower.z;
     for (std::size_t i = 0; i < hits.size(); ++i) {

@@ -42,6 +42,24 @@ TEST(Scene, TracesWhatItWasGiven) {
     }
 }
 
+TEST(Scene, TracesManyRaysAndAllHits) {
+    const Scene scene(make_sphere(20, 30));
+    const std::array rays{Ray{{0.01F, 0.02F, -3}, {0, 0, 1}}, Ray{{5, 5, -3}, {0, 0, 1}}};
+    std::array<Hit, 2> hits;
+    scene.intersect(rays, hits);
+    EXPECT_EQ(hits[0], scene.intersect(rays[0]));
+    EXPECT_EQ(hits[1], Hit{});
+    std::array<bool, 2> is_occluded{};
+    scene.occluded(rays, is_occluded, 2);
+    EXPECT_EQ(is_occluded, (std::array{true, false}));
+    EXPECT_EQ(scene.count_hits(rays[0]), 2U) << "in and out";
+    EXPECT_EQ(scene.intersect_all(rays[0], hits), 2U);
+    EXPECT_LT(hits[0].t, hits[1].t);
+    std::array<Hit, 1> behind;
+    EXPECT_EQ(scene.intersect_all(rays[0], behind, &hits[0]), 1U);
+    EXPECT_EQ(behind[0], hits[1]);
+}
+
 TEST(Scene, BuildsByItsOptions) {
     const TriangleMesh mesh = make_soup(500, 0.1F, 1);
     const BuildOptions options{.sample = {.rate = 0.1, .seed = 3}, .wide = {.sampled_from = 0}};

@@ -29,6 +29,28 @@ public:
     /// True if anything lies on the ray.
     [[nodiscard]] bool occluded(const Ray& ray) const noexcept;
 
+    /// The first `hits.size()` hits that come after `*after`; see WideTracer, also for the three
+    /// below.
+    [[nodiscard]] std::size_t intersect_all(const Ray& ray, std::span<Hit> hits,
+                                            const Hit* after = nullptr) const noexcept {
+        return tracer_.intersect_all(ray, hits, after);
+    }
+
+    /// The number of triangles that the ray hits.
+    [[nodiscard]] std::uint64_t count_hits(const Ray& ray) const noexcept {
+        return tracer_.count_hits(ray);
+    }
+
+    /// The closest hit of each ray, with infinite t where there is none; 0 threads for all.
+    void intersect(std::span<const Ray> rays, std::span<Hit> hits, int threads = 1) const {
+        tracer_.intersect(rays, hits, threads);
+    }
+
+    /// Whether anything lies on each ray.
+    void occluded(std::span<const Ray> rays, std::span<bool> is_occluded, int threads = 1) const {
+        tracer_.occluded(rays, is_occluded, threads);
+    }
+
     /// The triangle nearest to a point, if one is within `max_distance`; see MeshSearch, also for
     /// the three below.
     [[nodiscard]] SurfaceNeighbor nearest(
