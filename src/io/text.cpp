@@ -54,7 +54,7 @@ std::string printable(std::string_view text) {
 }
 
 std::string in_quotes(std::string_view text) {
-    return "'" + printable(text) + "'";
+    return fmt::format("'{}'", printable(text));
 }
 
 std::optional<std::int64_t> parse_integer(std::string_view word) noexcept {
