@@ -28,6 +28,8 @@ public:
 [[nodiscard]] Command add_experiment(CLI::App& program, const std::vector<std::string>& arguments);
 [[nodiscard]] Command add_build(CLI::App& program);
 [[nodiscard]] Command add_bench(CLI::App& program);
+[[nodiscard]] Command add_tune(CLI::App& program);
+[[nodiscard]] Command add_compare(CLI::App& program);
 [[nodiscard]] Command add_trace(CLI::App& program);
 [[nodiscard]] Command add_render(CLI::App& program);
 [[nodiscard]] Command add_info(CLI::App& program);

@@ -115,6 +115,8 @@ int run_program(int argument_count, char** argument_texts) {
     const std::vector<Command> commands{add_experiment(program, arguments),
                                         add_build(program),
                                         add_bench(program),
+                                        add_tune(program),
+                                        add_compare(program),
                                         add_trace(program),
                                         add_render(program),
                                         add_info(program),
@@ -127,6 +129,7 @@ int run_program(int argument_count, char** argument_texts) {
         "  coppice experiment terrain.obj --out out/terrain\n"
         "  coppice build terrain.obj\n"
         "  coppice bench terrain.obj\n"
+        "  coppice tune terrain.obj --rays 1e8\n"
         "  coppice trace terrain.obj --count\n"
         "  coppice render terrain.obj -o terrain.png\n"
         "  coppice experiment --help");

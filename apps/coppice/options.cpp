@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <limits>
 #include <memory>
 
 namespace coppice::app {
@@ -70,6 +71,19 @@ CLI::Option* add_number(CLI::App& command, const OptionText& text, double& value
                         const NumberRange& range) {
     const auto read = [text, &value, range](const std::string& given) {
         value = parse_number(text.name, given, range, text.default_text);
+    };
+    return command.add_option_function<std::string>(text.name, read, text.meaning)
+        ->type_name(text.placeholder)
+        ->default_str(text.default_text);
+}
+
+CLI::Option* add_percentage(CLI::App& command, const OptionText& text, double& percent) {
+    const auto read = [text, &percent](const std::string& given) {
+        const std::string digits = given.ends_with('%') ? given.substr(0, given.size() - 1) : given;
+        percent = parse_number(
+            text.name, digits,
+            {0.0, std::numeric_limits<double>::max(), "a finite number of percent >= 0"},
+            text.default_text);
     };
     return command.add_option_function<std::string>(text.name, read, text.meaning)
         ->type_name(text.placeholder)

@@ -58,6 +58,9 @@ CLI::Option* add_whole(CLI::App& command, const OptionText& text, Integer& value
 CLI::Option* add_number(CLI::App& command, const OptionText& text, double& value,
                         const NumberRange& range);
 
+/// An option with a finite number of percent, >= 0; a trailing "%" is allowed.
+CLI::Option* add_percentage(CLI::App& command, const OptionText& text, double& percent);
+
 /// An option with a comma list; may be given several times. `read` gets all the texts given.
 CLI::Option* add_list_option(CLI::App& command, const OptionText& text,
                              const std::function<void(const std::vector<std::string>&)>& read);

@@ -18,7 +18,7 @@ expect_stderr '^Usage: coppice COMMAND'
 expect_stderr '^  experiment '
 
 # Every command has help with an example; help is not an error.
-for command in experiment build bench render info list generate; do
+for command in experiment build bench tune compare render info list generate; do
     expect_exit 0 coppice "$command" --help
     expect_stderr_empty
     expect_stdout "^Usage: coppice $command"

@@ -29,8 +29,9 @@ struct Case {
 std::vector<Case> all_contestants() {
     std::vector<Case> cases;
     for (const Method& method : method_registry()) {
-        cases.push_back({std::string(method.name), false,
-                         [&](int threads) { return make_contestant(method, threads); }});
+        cases.push_back({std::string(method.name), false, [&](int threads) {
+                             return make_contestant(find_variant(method.name), threads);
+                         }});
     }
     for (const Peer& peer : peer_registry()) {
         cases.push_back({std::string(peer.name), true, peer.make});

@@ -153,7 +153,7 @@ private:
             entry.contestant = std::move(contestant);
         };
         for (const std::string& name : run_.options.methods) {
-            add(name, false, make_contestant(find_method(name), threads));
+            add(name, false, make_contestant(find_variant(name), threads));
         }
         for (const std::string& name : run_.options.peers) {
             add(name, true, find_named(peer_registry(), name, "peer").make(threads));
@@ -200,6 +200,7 @@ private:
         entry.row.peak_bytes_per_triangle =
             static_cast<double>(figures.peak_bytes) / triangle_count;
         entry.row.sah_cost = figures.sah_cost;
+        entry.row.sample_share = figures.sample_share;
         if (figures.reference_count) {
             entry.row.references_per_triangle = *figures.reference_count / triangle_count;
         }

@@ -1,10 +1,10 @@
 #include "lab/bench_options.h"
 
 #include "coppice/base/error.h"
-#include "coppice/build/method.h"
 
 #include "lab/contestant.h"
 #include "lab/named.h"
+#include "lab/variant.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -30,7 +30,7 @@ nlohmann::json vector_json(const std::optional<Vec3f>& v) {
 
 void check(const BenchOptions& options) {
     for (const std::string& name : options.methods) {
-        static_cast<void>(find_method(name));
+        static_cast<void>(find_variant(name));
     }
     for (const std::string& name : options.peers) {
         static_cast<void>(find_named(peer_registry(), name, "peer"));

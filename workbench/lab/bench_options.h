@@ -18,7 +18,7 @@ struct BenchOptions {
     static constexpr int max_size = 8192;
 
     std::vector<std::filesystem::path> scenes;
-    std::vector<std::string> methods;  ///< distinct names of method_registry()
+    std::vector<std::string> methods;  ///< distinct, each for find_variant()
     std::vector<std::string> peers;    ///< distinct names of peer_registry()
     std::vector<int> threads{1, 2};    ///< distinct, each >= 1
     int runs = 5;                      ///< measured runs after the first, in [1, max_runs]

@@ -23,7 +23,7 @@ using PerRayKind = std::array<std::optional<double>, 3>;
 struct BenchRow {
     std::string scene;
     std::uint64_t triangles = 0;
-    std::string method;  ///< or the peer's name
+    std::string method;  ///< as it was asked for, or the peer's name
     bool is_peer = false;
     int threads = 1;
     double build_seconds = 0.0;        ///< median of the runs after the first
@@ -33,7 +33,8 @@ struct BenchRow {
     double peak_bytes_per_triangle = 0.0;
     std::optional<double> sah_cost;
     std::optional<double> references_per_triangle;
-    PerRayKind mrays;              ///< million rays a second, by the median time
+    std::optional<double> sample_share;  ///< drawn of all primitives, in (0, 1]; not a column
+    PerRayKind mrays;                    ///< million rays a second, by the median time
     std::uint64_t mismatches = 0;  ///< rays, of all kinds, that do not agree with the reference
 };
 

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "coppice/build/method.h"
 #include "coppice/geom/ray.h"
 #include "coppice/geom/triangle_mesh.h"
+
+#include "lab/variant.h"
 
 #include <cstdint>
 #include <memory>
@@ -21,6 +22,7 @@ struct BuildFigures {
     std::uint64_t peak_bytes = 0;  ///< at the height of the build; the mesh is not counted
     std::optional<double> sah_cost;
     std::optional<double> reference_count;
+    std::optional<double> sample_share;  ///< of the primitives, in (0, 1]
 };
 
 /// A structure to measure: one of our methods or a peer. Built, traced and freed over and over.
@@ -48,7 +50,7 @@ public:
 };
 
 /// One of our methods, on so many threads.
-[[nodiscard]] std::unique_ptr<Contestant> make_contestant(const Method& method, int threads);
+[[nodiscard]] std::unique_ptr<Contestant> make_contestant(const Variant& variant, int threads);
 
 /// Another library's structure under its name, with one line on what it is.
 struct Peer {

@@ -8,6 +8,7 @@
 
 #include "lab/contestant.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -35,7 +36,8 @@ BuildFigures figures_of(bool is_measured, BuildFigures last, Build&& build) {
             report.tree_bytes,
             report.peak_bytes,
             report.statistics.sah_cost,
-            static_cast<double>(report.statistics.reference_count)};
+            static_cast<double>(report.statistics.reference_count),
+            report.sample_count / static_cast<double>(std::max(1U, report.primitive_count))};
 }
 
 /// A k-d tree.
@@ -106,10 +108,10 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Contestant> make_contestant(const Method& method, int threads) {
-    BuildOptions options = method.options();
+std::unique_ptr<Contestant> make_contestant(const Variant& variant, int threads) {
+    BuildOptions options = variant.options;
     options.threads = threads;
-    if (method.tree == TreeKind::wide) return std::make_unique<WideContestant>(std::move(options));
+    if (variant.tree == TreeKind::wide) return std::make_unique<WideContestant>(std::move(options));
     return std::make_unique<KdContestant>(std::move(options));
 }
 

@@ -1,0 +1,117 @@
+// coppice tune: which builder and rate to use for a number of rays, measured on the scene itself.
+
+#include "coppice/build/method.h"
+
+#include "command.h"
+#include "interrupts.h"
+#include "json_file.h"
+#include "lab/named.h"
+#include "lab/progress_line.h"
+#include "lab/tune.h"
+#include "options.h"
+#include "view_arguments.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <limits>
+#include <memory>
+
+namespace coppice::app {
+
+namespace {
+
+/// The options as the parser fills them in.
+struct Request {
+    std::vector<std::string> scenes;
+    std::string json;
+    lab::TuneOptions options;
+};
+
+void add_what_to_measure(CLI::App& parser, lab::TuneOptions& options) {
+    add_number(parser, {"--rays", "N", "Rays that will be traced with the tree", "1e8"},
+               options.ray_count,
+               {1.0, std::numeric_limits<double>::max(), "a finite number >= 1"});
+    add_names(parser,
+              {"--methods", "LIST", listing("To choose from", names_in(method_registry())),
+               fmt::format("{}", fmt::join(options.methods, ","))},
+              options.methods, names_in(method_registry()));
+    add_list_option(parser,
+                    {"--rates", "LIST",
+                     "Sample sizes in percent, in (0, 100], for methods that sample", "1,10,100"},
+                    [&options](const std::vector<std::string>& texts) {
+                        options.percents = parse_percents("--rates", texts);
+                    });
+    add_list_option(
+        parser,
+        {"--kinds", "LIST", "Kinds of rays: " + lab::names_of(lab::rendering_ray_kinds()),
+         "primary,shadow,diffuse"},
+        [&options](const std::vector<std::string>& texts) {
+            const auto registry = lab::rendering_ray_kinds();
+            options.rays.clear();
+            for (const std::string& name : parse_list("--kinds", texts, "primary,diffuse")) {
+                require_name("--kinds", name, names_in(registry));
+                options.rays.push_back(lab::find_named(registry, name, "kind of rays").kind);
+            }
+        });
+}
+
+void add_how_to_measure(CLI::App& parser, lab::TuneOptions& options) {
+    add_whole(parser, {"--threads", "N", "Build and trace on N threads; 0 = all", "0"},
+              options.threads, 0, 1024);
+    add_whole(parser, {"--runs", "N", "Runs after the first; medians are taken", "3"}, options.runs,
+              1, lab::BenchOptions::max_runs);
+    add_whole(parser, {"--size", "N", "Pixels of the image, each way", "512"}, options.size, 1,
+              lab::BenchOptions::max_size);
+    add_camera(parser, options.camera);
+    add_whole(parser, {"--seed", "N", "Of the bounces' directions", "1"}, options.seed, 0,
+              std::numeric_limits<std::int64_t>::max());
+}
+
+void run_request(Request& request, Output& output) {
+    lab::TuneOptions& options = request.options;
+    options.scenes.assign(request.scenes.begin(), request.scenes.end());
+    if (!request.json.empty()) check_json_file(request.json);
+    lab::ProgressLine progress(stderr);
+    const std::vector<lab::TuneResult> results = lab::run_tune(
+        options, [&](const std::string& step, std::optional<double> remaining_seconds) {
+            progress.show(step, remaining_seconds);
+        });
+    progress.clear();
+    for (const lab::TuneResult& result : results) {
+        output.print(lab::tune_table(options, result) + '\n');
+    }
+    for (const lab::TuneResult& result : results) {
+        output.print(lab::tune_sentence(options, result) + '\n');
+    }
+    if (request.json.empty()) return;
+    write_json_file(request.json, lab::tune_document(options, results));
+    output.print(fmt::format("written: {}\n", request.json));
+}
+
+}  // namespace
+
+Command add_tune(CLI::App& program) {
+    CLI::App* parser = program.add_subcommand(
+        "tune", "Tell which builder and rate to use for a number of rays, and why");
+    parser->allow_extras();
+    const auto request = std::make_shared<Request>();
+    add_scenes(*parser, request->scenes);
+    add_what_to_measure(*parser, request->options);
+    add_how_to_measure(*parser, request->options);
+    add_text(*parser, {"--json", "FILE", "Also write all figures to a file", ""}, request->json);
+    parser->footer(
+        "Examples:\n"
+        "  coppice tune scenes/dragon.obj --rays 1e8\n"
+        "  coppice tune scenes/dragon.obj --rays 1e6 --methods fast,quality --rates 0.5,1,100\n"
+        "  coppice tune room.ply --eye 1,2,3 --look-at 0,1,0 --json tune.json\n"
+        "The names of methods are explained by `coppice list`.");
+    return {parser, [parser, request](Output& output) {
+                require_scenes(*parser, request->scenes);
+                wipe_line_on_interrupt();
+                run_request(*request, output);
+            }};
+}
+
+}  // namespace coppice::app
