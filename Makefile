@@ -22,7 +22,7 @@ demo: build ## an experiment on the Stanford dragon, with its report in out/
 		[ -e scenes/terrain.obj ] || \
 			$(coppice) generate terrain --triangles 200000 -o scenes/terrain.obj; \
 	fi && \
-	$(coppice) experiment scenes/$$scene.obj --out out/$$scene && \
+	$(coppice) experiment scenes/$$scene.obj --seeds 3 --out out/$$scene && \
 	echo "Open out/$$scene/report.html"
 
 test: ## all tests

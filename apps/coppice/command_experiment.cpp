@@ -7,6 +7,7 @@
 #include "command.h"
 #include "interrupts.h"
 #include "lab/experiment.h"
+#include "lab/journal.h"
 #include "lab/named.h"
 #include "lab/output_folder.h"
 #include "lab/progress_line.h"
@@ -35,6 +36,8 @@ constexpr std::array<std::string_view, 3> output_names{"results.csv", "results.j
 struct Request {
     std::vector<std::string> scenes;
     std::string out;
+    std::string resume;
+    double tolerance_percent = 2.0;
     lab::ExperimentOptions options;
 };
 
@@ -63,6 +66,10 @@ void add_what_to_run(CLI::App& parser, Request& request) {
                     });
     add_whole(parser, {"--seeds", "N", "Repeat all with the seeds 1 to N", "1"}, options.seed_count,
               1, lab::ExperimentOptions::max_seed_count);
+    add_percentage(parser,
+                   {"--tolerance", "PERCENT",
+                    "What a recommended sample's tree may cost more than the full one", "2"},
+                   request.tolerance_percent);
 }
 
 void add_how_to_build(CLI::App& parser, BuildOptions& build) {
@@ -100,11 +107,64 @@ std::vector<lab::OutputFile> make_files(const lab::ExperimentOptions& options,
             {std::string(output_names[2]), report::make_report(nlohmann::json(document))}};
 }
 
-void run_request(Request& request, const std::vector<std::string>& arguments, Output& output) {
+/// Throws UsageError if options were given that are not those of the run to be resumed.
+void require_same_options(const Request& request, const lab::Journal& journal) {
+    nlohmann::json given = request.options;
+    nlohmann::json begun = journal.options();
+    for (nlohmann::json* options : {&given, &begun}) {
+        options->erase("out");
+    }
+    for (const auto& [name, value] : given.items()) {
+        if (begun[name] == value) continue;
+        throw UsageError(fmt::format(
+            "--resume: the run in {} was begun with {} {}, not {}; give the same options, or none",
+            request.resume, name, begun[name].dump(), value.dump()));
+    }
+}
+
+/// The run that is to be resumed. Throws UsageError if it is not the one that the options ask for.
+lab::Journal open_journal(const CLI::App& parser, const Request& request) {
+    if (!request.out.empty() && request.out != request.resume) {
+        throw UsageError("--resume: results go to the folder of the run; leave --out away");
+    }
+    if (request.scenes.empty()) {
+        for (const CLI::Option* option : parser.get_options({})) {
+            const std::string name = option->get_name();
+            const bool is_own = name == "--resume" || name == "--out";
+            if (option->count() == 0 || is_own) continue;
+            throw UsageError(fmt::format(
+                "{}: --resume goes on with the options that the run was begun with; give no "
+                "others, or all of them and the scenes",
+                name));
+        }
+    }
+    lab::Journal journal = lab::Journal::open(request.resume);
+    if (!request.scenes.empty()) require_same_options(request, journal);
+    print_message(fmt::format("note: {}: {} finished trees are not built again", request.resume,
+                              journal.row_count()));
+    return journal;
+}
+
+/// The run that begins now.
+lab::Journal begin_journal(Request& request, const std::vector<std::string>& arguments) {
     lab::ExperimentOptions& options = request.options;
-    options.scenes.assign(request.scenes.begin(), request.scenes.end());
     options.out = request.out.empty() ? lab::default_output_folder(options.scenes)
                                       : std::filesystem::path(request.out);
+    if (lab::Journal::exists(options.out)) {
+        print_message(
+            fmt::format("note: {0} has an unfinished experiment, which is replaced; --resume {0} "
+                        "goes on with it",
+                        options.out.string()));
+    }
+    return lab::Journal::begin(options, arguments);
+}
+
+bool is_finished(const std::filesystem::path& folder) {
+    return !lab::Journal::exists(folder) && std::filesystem::exists(folder / output_names[1]);
+}
+
+void run_journal(lab::Journal& journal, Output& output) {
+    const lab::ExperimentOptions& options = journal.options();
     {
         const DeferInterrupts no_trace;
         lab::check_writable(options.out, output_names);
@@ -119,21 +179,40 @@ void run_request(Request& request, const std::vector<std::string>& arguments, Ou
         progress.clear();
         print_message("note: " + note);
     };
+    observer.find_finished = [&](const lab::RowKey& key) { return journal.find(key); };
+    observer.on_row = [&](const lab::RowKey& key, const BuildReport& report) {
+        const DeferInterrupts whole_line;
+        journal.add(key, report);
+    };
     observer.on_scene = [&](const lab::SceneResult& scene) {
         progress.clear();
-        output.print(lab::result_table(scene) + '\n');
+        output.print(lab::result_table(scene, options.tolerance) + '\n');
     };
     const std::vector<lab::SceneResult> results = lab::run_experiment(options, observer);
     progress.show("writing the report");
-    const std::vector<lab::OutputFile> files = make_files(options, results, arguments);
+    const std::vector<lab::OutputFile> files = make_files(options, results, journal.command());
     {
         const DeferInterrupts all_or_none;
         lab::write_all(options.out, files);
+        journal.remove();
     }
     progress.clear();
     for (const lab::OutputFile& file : files) {
         output.print(fmt::format("written: {}\n", (options.out / file.name).string()));
     }
+}
+
+void run_request(const CLI::App& parser, Request& request,
+                 const std::vector<std::string>& arguments, Output& output) {
+    request.options.tolerance = request.tolerance_percent / 100.0;
+    request.options.scenes.assign(request.scenes.begin(), request.scenes.end());
+    if (!request.resume.empty() && is_finished(request.resume)) {
+        output.print(fmt::format("{}: the experiment is finished\n", request.resume));
+        return;
+    }
+    lab::Journal journal =
+        request.resume.empty() ? begin_journal(request, arguments) : open_journal(parser, request);
+    run_journal(journal, output);
 }
 
 }  // namespace
@@ -152,16 +231,20 @@ Command add_experiment(CLI::App& program, const std::vector<std::string>& argume
               "[default: out/SCENE; for several scenes out/SCENE-and-N-more]",
               ""},
              request->out);
+    add_text(*parser,
+             {"--resume", "DIR", "Go on with the experiment in a folder that was cut short", ""},
+             request->resume);
     parser->footer(
         "Examples:\n"
         "  coppice experiment scenes/dragon.obj\n"
         "  coppice experiment scenes/dragon.obj --rates 100,10,1 --seeds 5\n"
         "  coppice experiment a.obj b.ply.gz --protocols grown --primitives triangles\n"
+        "  coppice experiment --resume out/dragon\n"
         "The names of rules, samplers and protocols are explained by `coppice list`.");
     return {parser, [parser, request, arguments](Output& output) {
-                require_scenes(*parser, request->scenes);
+                if (request->resume.empty()) require_scenes(*parser, request->scenes);
                 wipe_line_on_interrupt();
-                run_request(*request, arguments, output);
+                run_request(*parser, *request, arguments, output);
             }};
 }
 

@@ -21,7 +21,8 @@ expect_equal "$(wc -l <out/balls/results.csv)" 67
 expect_equal "$(tr -d '\n -~' <<<"$stdout")" '' # no escape codes
 expect_stdout '^balls, points: '
 expect_stdout '^balls, triangles: '
-expect_stdout '^\* chosen: .*Kneedle'
+expect_stdout '^\* recommended: the smallest sample whose cost is within 2 % of the full tree'
+expect_stdout '^knee: .*Kneedle'
 for file in results.csv results.json report.html; do
     expect_stdout "^written: out/balls/$file$"
 done
@@ -66,7 +67,7 @@ PY
 )" "$(tr -d '\n' <<<"{'bad_refines': 2, 'clipping': 'bounding_box', 'empty_bonus': 0.2, \
 'intersection_cost': 20.0, 'max_depth': 12, 'max_leaf': 4, 'out': 'some/where', \
 'primitives': ['points'], 'protocols': ['grown', 'fixed'], 'rates': [0.5, 100.0, 20.0], \
-'sampler': 'uniform', 'seeds': 2, 'split': 'median', 'threads': 1, 'traversal_cost': 15.0}")
+'sampler': 'uniform', 'seeds': 2, 'split': 'median', 'threads': 1, 'tolerance': 2.0, 'traversal_cost': 15.0}")
 [2, 2] experiment"
 
 # The reference tree is built even if it is not asked for, and this is said.

@@ -30,8 +30,8 @@ PY
 TERM=dumb run 0 seen --rates 100 --out done
 expect_equal "$(<seen)" ''
 
-# Ctrl-C: the shell's code for it, no results, nothing left over, a clean line.
+# Ctrl-C: the shell's code for it, no results, only what --resume needs, a clean line.
 INTERRUPT=', 4 %' run 130 seen --out interrupted
-expect_no_file interrupted
+expect_equal "$(ls -A interrupted)" unfinished.jsonl
 ! ls -A | grep -q '^\.coppice' || fail 'a temporary folder is left'
 grep -q "$(printf '\r\e\\[K')$" seen || fail 'the line is not wiped'

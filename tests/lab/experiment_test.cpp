@@ -91,6 +91,7 @@ TEST(Experiment, RowsByKindProtocolSeedAndRate) {
                           "triangles fixed 1 100", "triangles fixed 1 5", "triangles fixed 2 100",
                           "triangles fixed 2 5"));
     EXPECT_EQ(result.recommended.size(), 4U);
+    EXPECT_EQ(result.knees.size(), 4U);
 }
 
 TEST(Experiment, CountsOfTheScene) {

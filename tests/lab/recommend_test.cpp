@@ -20,18 +20,22 @@ ResultRow make_row(const char* protocol, double percent, std::uint64_t seed, dou
     return row;
 }
 
-TEST(Recommend, NothingForNoRows) {
-    EXPECT_TRUE(recommend({}).empty());
+std::vector<Recommendation> knees_of(std::span<const ResultRow> rows) {
+    return find_knees(summarize_seeds(rows));
 }
 
-TEST(Recommend, OneForEachKindAndProtocolInOrder) {
+TEST(FindKnees, NothingForNoRows) {
+    EXPECT_TRUE(knees_of({}).empty());
+}
+
+TEST(FindKnees, OneForEachKindAndProtocolInOrder) {
     std::vector<ResultRow> rows{
         make_row("fixed", 100, 1, 1.0, 1.0), make_row("fixed", 50, 1, 1.1, 0.3),
         make_row("fixed", 1, 1, 40.0, 0.1),  make_row("grown", 100, 1, 1.0, 1.0),
         make_row("grown", 50, 1, 1.0, 0.9),  make_row("grown", 1, 1, 1.0, 0.8)};
     rows.push_back(rows.back());
     rows.back().primitives = "triangles";
-    const auto recommended = recommend(rows);
+    const auto recommended = knees_of(rows);
     ASSERT_EQ(recommended.size(), 3U);
     EXPECT_EQ(recommended[0].protocol, "fixed");
     EXPECT_EQ(recommended[0].chosen.percent, 50);
@@ -42,23 +46,49 @@ TEST(Recommend, OneForEachKindAndProtocolInOrder) {
     EXPECT_EQ(recommended[2].primitives, "triangles");
 }
 
-TEST(Recommend, AveragesSeeds) {
+TEST(FindKnees, AveragesSeeds) {
     // Seed 1 alone would choose 50 %, seed 2 alone 10 %; their means choose 10 %.
     const std::vector<ResultRow> rows{
         make_row("fixed", 100, 1, 1.0, 1.0), make_row("fixed", 50, 1, 1.0, 0.2),
         make_row("fixed", 10, 1, 2.0, 0.3),  make_row("fixed", 1, 1, 5.0, 0.1),
         make_row("fixed", 100, 2, 1.0, 1.0), make_row("fixed", 50, 2, 3.0, 0.8),
         make_row("fixed", 10, 2, 1.5, 0.1),  make_row("fixed", 1, 2, 5.0, 0.1)};
-    const auto recommended = recommend(rows);
+    const auto recommended = knees_of(rows);
     ASSERT_EQ(recommended.size(), 1U);
     EXPECT_EQ(recommended[0].chosen.percent, 10);
     EXPECT_EQ(recommended[0].chosen.cost, 1.75);
     EXPECT_EQ(recommended[0].chosen.time, 0.2);
 }
 
-TEST(Recommend, NothingWhereNoCostIsFinite) {
+TEST(FindKnees, NothingWhereNoCostIsFinite) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_TRUE(recommend(std::vector{make_row("fixed", 100, 1, nan, nan)}).empty());
+    const std::vector rows{make_row("fixed", 100, 1, nan, nan)};
+    EXPECT_TRUE(knees_of(rows).empty());
+    EXPECT_TRUE(recommend(summarize_seeds(rows), 0.02).empty());
+}
+
+TEST(Recommend, IsTheSmallestSampleThatIsSurelyWithinTheTolerance) {
+    std::vector<ResultRow> rows;
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        const double noise = static_cast<double>(seed) - 2.0;
+        rows.push_back(make_row("grown", 100, seed, 1.0, 1.0));
+        rows.push_back(make_row("grown", 10, seed, 1.005 + 0.001 * noise, 0.5));
+        // Within 2 % on average, but not surely: 1.005 +- 0.025.
+        rows.push_back(make_row("grown", 1, seed, 1.005 + 0.01 * noise, 0.4));
+        rows.push_back(make_row("grown", 0.1, seed, 1.2, 0.3));
+        rows.push_back(make_row("fixed", 10, seed, 3.0, 0.3));
+    }
+    const auto summaries = summarize_seeds(rows);
+    const auto recommended = recommend(summaries, 0.02);
+    ASSERT_EQ(recommended.size(), 1U) << "fixed has none";
+    EXPECT_EQ(recommended[0].protocol, "grown");
+    EXPECT_EQ(recommended[0].chosen.percent, 10);
+    EXPECT_NEAR(recommended[0].chosen.cost, 1.005, 1e-12);
+    EXPECT_EQ(recommend(summaries, 0.031)[0].chosen.percent, 1);
+    EXPECT_EQ(recommend(summaries, 0.0)[0].chosen.percent, 100);
+    // The mean of the first seed alone, 0.995, is within: there is nothing to doubt it by.
+    rows.resize(5);
+    EXPECT_EQ(recommend(summarize_seeds(rows), 0.0)[0].chosen.percent, 1);
 }
 
 }  // namespace

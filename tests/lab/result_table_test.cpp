@@ -33,17 +33,19 @@ std::size_t count_lines_like(const std::string& text, const std::string& pattern
 }
 
 TEST(ResultTable, OneTablePerKindOneBlockPerProtocol) {
-    const std::string table = result_table(run_small(1));
+    const std::string table = result_table(run_small(1), 0.02);
     EXPECT_EQ(count_lines_like(table, "hills, points: "), 1U);
     EXPECT_EQ(count_lines_like(table, "hills, triangles: "), 1U);
     EXPECT_EQ(count_lines_like(table, "^fixed: "), 2U);
     EXPECT_EQ(count_lines_like(table, "references"), 2U);
     EXPECT_EQ(count_lines_like(table, "^[* ] +100 .* 1\\.000$"), 6U);
-    EXPECT_EQ(count_lines_like(table, "^\\* +10"), 6U);
+    EXPECT_EQ(count_lines_like(table, "^\\* +[0-9]"), 6U);
+    EXPECT_THAT(table, HasSubstr("recommended: the smallest sample whose cost is within 2 %"));
+    EXPECT_THAT(table, HasSubstr("of one seed, which gives no confidence"));
 }
 
 TEST(ResultTable, LinesFitATerminalAndArePlain) {
-    const std::string table = result_table(run_small(1));
+    const std::string table = result_table(run_small(1), 0.02);
     std::istringstream lines(table);
     for (std::string line; std::getline(lines, line);) {
         EXPECT_LE(line.size(), 120U) << line;
@@ -52,16 +54,17 @@ TEST(ResultTable, LinesFitATerminalAndArePlain) {
                             [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
 }
 
-TEST(ResultTable, SeedsAreAveragedWithTheirSpread) {
+TEST(ResultTable, SeedsAreAveragedWithTheirIntervals) {
     const SceneResult scene = run_small(3);
-    const std::string table = result_table(scene);
+    const std::string table = result_table(scene, 0.02);
     EXPECT_THAT(table, HasSubstr("means of 3 seeds"));
-    EXPECT_EQ(count_lines_like(table, "^[* ] +100 .* 1\\.000-1\\.000$"), 6U);
-    EXPECT_EQ(count_lines_like(table, "^\\* +10"), 6U);
+    EXPECT_THAT(table, HasSubstr("with 95 % confidence (95 % t interval, 3 seeds)"));
+    EXPECT_EQ(count_lines_like(table, "^[* ] +100 .* 1\\.000 [+]-0\\.000 +1\\.000 [+]-0\\.000$"),
+              6U);
 }
 
 TEST(ResultTable, OfNoRowsIsEmpty) {
-    EXPECT_EQ(result_table({}), "\n");
+    EXPECT_EQ(result_table({}, 0.02), "");
 }
 
 }  // namespace

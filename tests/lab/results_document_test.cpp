@@ -88,6 +88,7 @@ TEST_F(ResultsDocument, HasEveryOption) {
                         {"split", "sah"},
                         {"sampler", "uniform"},
                         {"seeds", 2},
+                        {"tolerance", 2.0},
                         {"traversal_cost", 1.0},
                         {"intersection_cost", 1.0},
                         {"empty_bonus", 0.5},
@@ -105,7 +106,9 @@ TEST_F(ResultsDocument, HasScenesWithAllParts) {
     for (const Json& scene : document_["scenes"]) {
         EXPECT_EQ(scene["rows"].size(), 24U);
         EXPECT_EQ(scene["details"].size(), 24U);
+        EXPECT_EQ(scene["summary"].size(), 12U);
         EXPECT_EQ(scene["recommended"].size(), 6U);
+        EXPECT_EQ(scene["knees"].size(), 6U);
         EXPECT_GT(scene["vertex_count"], 0);
         EXPECT_GT(scene["triangle_count"], 0);
         EXPECT_GT(scene["distinct_vertex_count"], 0);
@@ -140,8 +143,11 @@ TEST_F(ResultsDocument, RecommendsAmongItsRows) {
         EXPECT_TRUE(chosen["sample_percent"] == 100 || chosen["sample_percent"] == 0.5);
         EXPECT_GT(chosen["relative_cost"], 0);
         EXPECT_GT(chosen["relative_time"], 0);
-        EXPECT_EQ(chosen["rule"], "kneedle");
-        EXPECT_THAT(chosen["source"].get<std::string>(), testing::HasSubstr("Kneedle"));
+        EXPECT_THAT(chosen["rule"].get<std::string>(), testing::HasSubstr("within 2 %"));
+    }
+    for (const Json& knee : document_["scenes"][1]["knees"]) {
+        EXPECT_EQ(knee["rule"], "kneedle");
+        EXPECT_THAT(knee["source"].get<std::string>(), testing::HasSubstr("Kneedle"));
     }
 }
 

@@ -154,6 +154,17 @@ private:
         run_.tell({scene_.name, std::move(step), rows_done_, row_count_, run_.remaining.seconds()});
         const BuildOptions options = protocol.options(run_.options.build, percent / 100.0, seed);
         const bool is_points = kind == PrimitiveKind::points;
+        const auto planned =
+            static_cast<double>(is_points ? scene_.vertex_count : scene_.triangle_count);
+        const double work = work_of_build({kind, std::string(protocol.name), percent, planned});
+        const RowKey key{scene_.name, std::string(name_of(kind)), std::string(protocol.name),
+                         percent, seed};
+        if (const auto finished = find_finished(key, options)) {
+            run_.remaining.plan(-work);
+            if (is_points) result_.distinct_vertex_count = finished->primitive_count;
+            ++rows_done_;
+            return *finished;
+        }
         if (is_points) update_points(seed);
         const PointCloudView points(points_);
         const TriangleMeshView triangles = mesh_.view();
@@ -162,11 +173,17 @@ private:
         // The tree is freed here: only what it measured is kept.
         static_cast<void>(build_kd_tree(
             is_points ? PrimitiveSetView(points) : PrimitiveSetView(triangles), options, &report));
-        const auto planned =
-            static_cast<double>(is_points ? scene_.vertex_count : scene_.triangle_count);
-        run_.remaining.finish(work_of_build({kind, std::string(protocol.name), percent, planned}),
-                              timer.seconds());
+        run_.remaining.finish(work, timer.seconds());
         ++rows_done_;
+        if (run_.observer.on_row) run_.observer.on_row(key, report);
+        return report;
+    }
+
+    [[nodiscard]] std::optional<BuildReport> find_finished(const RowKey& key,
+                                                           const BuildOptions& options) const {
+        if (!run_.observer.find_finished) return std::nullopt;
+        std::optional<BuildReport> report = run_.observer.find_finished(key);
+        if (report) report->options = options;
         return report;
     }
 
@@ -213,7 +230,9 @@ SceneResult run_scene(Run& run, const SceneFile& scene, const TriangleMesh& mesh
     result.triangle_count = scene.triangle_count;
     result.bounds = bounds_of(mesh.vertices);
     SceneRun(run, scene, mesh, result).run_all();
-    result.recommended = recommend(result.rows);
+    const std::vector<RateSummary> summaries = summarize_seeds(result.rows);
+    result.recommended = recommend(summaries, run.options.tolerance);
+    result.knees = find_knees(summaries);
     return result;
 }
 

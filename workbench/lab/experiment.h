@@ -25,6 +25,10 @@ struct ExperimentObserver {
     std::function<void(const ExperimentProgress&)> on_progress;
     std::function<void(const SceneResult&)> on_scene;  ///< when all rows of a scene are there
     std::function<void(const std::string&)> on_note;   ///< one line that the user should know
+    /// When a tree is measured; also for the reference that is not listed.
+    std::function<void(const RowKey&, const BuildReport&)> on_row;
+    /// What a tree measured that need not be built again, as an earlier run has.
+    std::function<std::optional<BuildReport>(const RowKey&)> find_finished;
 };
 
 /// Runs the experiment: for every scene, kind of primitive, protocol, seed and rate it builds the

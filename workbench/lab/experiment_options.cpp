@@ -5,6 +5,7 @@
 #include "coppice/build/split_finder.h"
 #include "coppice/sample/sampler.h"
 
+#include "lab/named.h"
 #include "lab/protocol.h"
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace coppice::lab {
 
@@ -55,6 +57,11 @@ std::vector<std::string_view> kind_names(const std::vector<PrimitiveKind>& primi
     return names;
 }
 
+/// A share in percent, with the digits that were given: 0.07 * 100 is not 7.
+double percent_of(double share) {
+    return std::nearbyint(share * 1e14) / 1e12;
+}
+
 std::vector<std::string> path_names(const std::vector<std::filesystem::path>& paths) {
     std::vector<std::string> names;
     names.reserve(paths.size());
@@ -87,6 +94,9 @@ void check(const ExperimentOptions& options) {
         fail(fmt::format("the number of seeds {} is not in [1, {}]", options.seed_count,
                          ExperimentOptions::max_seed_count));
     }
+    if (!(options.tolerance >= 0.0) || !std::isfinite(options.tolerance)) {
+        fail(fmt::format("the tolerance {} is not finite and >= 0", options.tolerance));
+    }
     check(options.build);
 }
 
@@ -99,6 +109,7 @@ void to_json(nlohmann::json& json, const ExperimentOptions& options) {
             {"split", build.split.rule},
             {"sampler", build.sample.sampler},
             {"seeds", options.seed_count},
+            {"tolerance", percent_of(options.tolerance)},
             {"traversal_cost", build.cost.traversal},
             {"intersection_cost", build.cost.intersection},
             {"empty_bonus", build.cost.empty_bonus},
@@ -108,6 +119,36 @@ void to_json(nlohmann::json& json, const ExperimentOptions& options) {
             {"clipping", name_of(build.split.clipping)},
             {"threads", build.threads > 0 ? build.threads : hardware_thread_count()},
             {"out", options.out.string()}};
+}
+
+ExperimentOptions experiment_options_of(const nlohmann::json& json) {
+    ExperimentOptions options;
+    for (const nlohmann::json& scene : json.at("scenes")) {
+        options.scenes.emplace_back(scene.get<std::string>());
+    }
+    for (const nlohmann::json& name : json.at("primitives")) {
+        options.primitives.push_back(
+            find_named(primitive_kind_registry(), name.get<std::string>(), "kind of primitive")
+                .kind);
+    }
+    json.at("protocols").get_to(options.protocols);
+    json.at("rates").get_to(options.percents);
+    json.at("seeds").get_to(options.seed_count);
+    options.tolerance = json.at("tolerance").get<double>() / 100.0;
+    BuildOptions& build = options.build;
+    json.at("split").get_to(build.split.rule);
+    json.at("sampler").get_to(build.sample.sampler);
+    json.at("traversal_cost").get_to(build.cost.traversal);
+    json.at("intersection_cost").get_to(build.cost.intersection);
+    json.at("empty_bonus").get_to(build.cost.empty_bonus);
+    json.at("max_depth").get_to(build.split.max_depth);
+    json.at("max_leaf").get_to(build.split.max_leaf);
+    json.at("bad_refines").get_to(build.split.bad_refines);
+    const bool is_clipped = json.at("clipping") == name_of(Clipping::perfect);
+    build.split.clipping = is_clipped ? Clipping::perfect : Clipping::bounding_box;
+    json.at("threads").get_to(build.threads);
+    options.out = json.at("out").get<std::string>();
+    return options;
 }
 
 }  // namespace coppice::lab

@@ -41,6 +41,8 @@ struct ExperimentOptions {
     /// Sample rates in percent, distinct, each in (0, 100]. The defaults are the thesis's.
     std::vector<double> percents{100, 50, 40, 30, 20, 10, 5, 4, 3, 2, 1};
     int seed_count = 1;  ///< in [1, max_seed_count]
+    double tolerance =
+        0.02;  ///< share of the full tree's cost that a recommended one may add; >= 0
     /// What all builds share. Each build's rate, seed, leaf limit and growth are set by its
     /// protocol.
     BuildOptions build;
@@ -53,5 +55,9 @@ void check(const ExperimentOptions& options);
 /// Serializes the options as one flat object under the names that the program's options have;
 /// `threads` is the resolved number, `primitives` the resolved list.
 void to_json(nlohmann::json& json, const ExperimentOptions& options);
+
+/// The options that to_json() made `json` of. Throws nlohmann::json::exception for what is no such
+/// object, and Error(invalid_argument) for names that are not there.
+[[nodiscard]] ExperimentOptions experiment_options_of(const nlohmann::json& json);
 
 }  // namespace coppice::lab

@@ -1,60 +1,83 @@
 #include "lab/recommend.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace coppice::lab {
 
 namespace {
 
-/// The curve of one kind and protocol, with sums over the seeds so far.
+/// The summaries of one kind and protocol.
 struct Curve {
-    std::string primitives;
-    std::string protocol;
-    std::vector<KneePoint> sums;
-    std::vector<int> seed_counts;  // aligned with `sums`
+    std::vector<const RateSummary*> summaries;
 
-    void add(const ResultRow& row) {
-        const auto same = [&](const KneePoint& sum) { return sum.percent == row.sample_percent; };
-        const auto at = std::find_if(sums.begin(), sums.end(), same);
-        if (at == sums.end()) {
-            sums.push_back({row.sample_percent, row.relative_cost, row.relative_time});
-            seed_counts.push_back(1);
-            return;
-        }
-        at->cost += row.relative_cost;
-        at->time += row.relative_time;
-        ++seed_counts[static_cast<std::size_t>(at - sums.begin())];
-    }
-
-    [[nodiscard]] std::vector<KneePoint> means() const {
-        std::vector<KneePoint> means = sums;
-        for (std::size_t i = 0; i < means.size(); ++i) {
-            means[i].cost /= seed_counts[i];
-            means[i].time /= seed_counts[i];
-        }
-        return means;
-    }
+    [[nodiscard]] const RateSummary& first() const { return *summaries.front(); }
 };
+
+std::vector<Curve> curves_of(std::span<const RateSummary> summaries) {
+    std::vector<Curve> curves;
+    for (const RateSummary& summary : summaries) {
+        const auto at = std::find_if(curves.begin(), curves.end(), [&](const Curve& curve) {
+            return curve.first().primitives == summary.primitives &&
+                   curve.first().protocol == summary.protocol;
+        });
+        if (at == curves.end()) {
+            curves.push_back({{&summary}});
+        } else {
+            at->summaries.push_back(&summary);
+        }
+    }
+    return curves;
+}
+
+KneePoint point_of(const RateSummary& summary) {
+    return {summary.sample_percent, summary.relative_cost.mean, summary.relative_time.mean};
+}
+
+/// False for a cost that is not finite.
+bool is_within(const RateSummary& summary, double tolerance) {
+    const SeedMean& cost = summary.relative_cost;
+    return (cost.interval ? cost.interval->high : cost.mean) <= 1.0 + tolerance;
+}
 
 }  // namespace
 
-std::vector<Recommendation> recommend(std::span<const ResultRow> rows) {
-    std::vector<Curve> curves;
-    for (const ResultRow& row : rows) {
-        const auto same = [&](const Curve& curve) {
-            return curve.primitives == row.primitives && curve.protocol == row.protocol;
-        };
-        auto at = std::find_if(curves.begin(), curves.end(), same);
-        if (at == curves.end()) at = curves.insert(at, {row.primitives, row.protocol, {}, {}});
-        at->add(row);
-    }
+std::vector<Recommendation> recommend(std::span<const RateSummary> summaries, double tolerance) {
     std::vector<Recommendation> recommended;
-    for (const Curve& curve : curves) {
-        if (const auto knee = find_knee(curve.means())) {
-            recommended.push_back({curve.primitives, curve.protocol, *knee});
+    for (const Curve& curve : curves_of(summaries)) {
+        const RateSummary* smallest = nullptr;
+        for (const RateSummary* summary : curve.summaries) {
+            const bool is_smaller =
+                smallest == nullptr || summary->sample_percent < smallest->sample_percent;
+            if (is_smaller && is_within(*summary, tolerance)) smallest = summary;
         }
+        if (smallest == nullptr) continue;
+        recommended.push_back({smallest->primitives, smallest->protocol, point_of(*smallest)});
     }
     return recommended;
+}
+
+std::string recommendation_rule(double tolerance, int seed_count) {
+    return fmt::format("the smallest sample whose cost is within {:.3g} % of the full tree's, {}",
+                       100.0 * tolerance,
+                       seed_count > 1 ? fmt::format("with 95 % confidence ({}, {} seeds)",
+                                                    interval_name, seed_count)
+                                      : "of one seed, which gives no confidence (see --seeds)");
+}
+
+std::vector<Recommendation> find_knees(std::span<const RateSummary> summaries) {
+    std::vector<Recommendation> knees;
+    for (const Curve& curve : curves_of(summaries)) {
+        std::vector<KneePoint> points;
+        for (const RateSummary* summary : curve.summaries) {
+            points.push_back(point_of(*summary));
+        }
+        if (const auto knee = find_knee(points)) {
+            knees.push_back({curve.first().primitives, curve.first().protocol, *knee});
+        }
+    }
+    return knees;
 }
 
 }  // namespace coppice::lab

@@ -1,15 +1,28 @@
 #pragma once
 
 #include "lab/results.h"
+#include "lab/seed_summary.h"
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace coppice::lab {
 
-/// The chosen percentage of each kind of primitive and protocol among the rows of one scene: the
-/// knee (find_knee()) of the curve of cost against total time, both relative to the 100 % tree and
-/// averaged over the seeds. In the order of the rows.
-[[nodiscard]] std::vector<Recommendation> recommend(std::span<const ResultRow> rows);
+/// Of each kind of primitive and protocol of one scene the smallest sample whose cost is within
+/// `tolerance` (a share, >= 0) of the full tree's with 95 % confidence: the upper end of the
+/// interval of its relative cost is at most 1 + tolerance. Of one seed, which gives no interval,
+/// the cost itself is taken. Nothing for a protocol that has no such sample. In the order of the
+/// summaries.
+[[nodiscard]] std::vector<Recommendation> recommend(std::span<const RateSummary> summaries,
+                                                    double tolerance);
+
+/// The same rule in words, for as many seeds.
+[[nodiscard]] std::string recommendation_rule(double tolerance, int seed_count);
+
+/// The knee (find_knee()) of the curve of cost against total time of each kind of primitive and
+/// protocol, both relative to the 100 % tree and averaged over the seeds. In the order of the
+/// summaries.
+[[nodiscard]] std::vector<Recommendation> find_knees(std::span<const RateSummary> summaries);
 
 }  // namespace coppice::lab

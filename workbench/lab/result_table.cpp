@@ -1,6 +1,8 @@
 #include "lab/result_table.h"
 
 #include "lab/protocol.h"
+#include "lab/recommend.h"
+#include "lab/seed_summary.h"
 
 #include <fmt/format.h>
 
@@ -62,15 +64,16 @@ std::string seconds_text(double seconds) {
     return fmt::format("{:.{}f}", seconds, seconds < 0.01 ? 5 : seconds < 1000.0 ? 3 : 0);
 }
 
-/// The smallest and greatest relative cost among the seeds.
-std::string spread_text(const Group& group) {
-    double lowest = group.first().relative_cost;
-    double highest = lowest;
-    for (const ResultRow* row : group.rows) {
-        lowest = std::min(lowest, row->relative_cost);
-        highest = std::max(highest, row->relative_cost);
-    }
-    return relative_text(lowest) + "-" + relative_text(highest);
+/// Half the width of an interval: "0.012".
+std::string reach_text(const SeedMean& measure) {
+    return measure.interval ? relative_text(measure.interval->high - measure.mean) : "-";
+}
+
+/// Behind the relative cost: how sure it is, and the relative time.
+std::string confidence_text(const RateSummary& summary) {
+    return fmt::format(" +-{:<6} {:>6} +-{}", reach_text(summary.relative_cost),
+                       relative_text(summary.relative_time.mean),
+                       reach_text(summary.relative_time));
 }
 
 constexpr const char* line_format =
@@ -123,26 +126,38 @@ std::string title(const ResultRow& row, std::size_t seed_count) {
                     row.report.primitive_count, row.report.options.split.rule,
                     row.report.options.sample.sampler);
     if (seed_count > 1) {
-        text += fmt::format(", means of {} seeds (relative cost: lowest-highest)", seed_count);
+        text += fmt::format(
+            ", means of {} seeds;\nlast columns: cost and time over the 100 % tree's of the same "
+            "seed, "
+            "+- half the {}",
+            seed_count, interval_name);
     }
     return text + '\n';
 }
 
-std::string recommendation_lines(const SceneResult& scene) {
-    if (scene.recommended.empty()) return {};
-    std::string text = "* chosen: the greatest saving of time per added cost (Kneedle)\n";
-    for (const Recommendation& recommendation : scene.recommended) {
-        text += fmt::format("  {}, {}: {} % (cost x {}, time x {})\n", recommendation.primitives,
-                            recommendation.protocol, recommendation.chosen.percent,
-                            relative_text(recommendation.chosen.cost),
-                            relative_text(recommendation.chosen.time));
+std::string choice_lines(std::span<const Recommendation> choices) {
+    std::string text;
+    for (const Recommendation& choice : choices) {
+        text += fmt::format("  {}, {}: {} % (cost x {}, time x {})\n", choice.primitives,
+                            choice.protocol, choice.chosen.percent,
+                            relative_text(choice.chosen.cost), relative_text(choice.chosen.time));
     }
-    return text;
+    return text.empty() ? "  none\n" : text;
+}
+
+std::string recommendation_lines(const SceneResult& scene, double tolerance, int seed_count) {
+    return fmt::format(
+        "* recommended: {}\n{}knee: the greatest saving of time per added cost (Kneedle)\n{}",
+        recommendation_rule(tolerance, seed_count), choice_lines(scene.recommended),
+        choice_lines(scene.knees));
 }
 
 }  // namespace
 
-std::string result_table(const SceneResult& scene) {
+std::string result_table(const SceneResult& scene, double tolerance) {
+    if (scene.rows.empty()) return {};
+    const std::vector<RateSummary> summaries = summarize_seeds(scene.rows);
+    auto summary = summaries.begin();  // in the order of the groups
     std::string text;
     std::string_view primitives;
     std::string_view protocol;
@@ -162,9 +177,11 @@ std::string result_table(const SceneResult& scene) {
         const Recommendation* chosen = find_recommendation(scene, row);
         text +=
             group_line(group, chosen != nullptr && chosen->chosen.percent == row.sample_percent);
-        text += has_seeds ? "  " + spread_text(group) + '\n' : "\n";
+        text += has_seeds ? confidence_text(*summary) + '\n' : "\n";
+        ++summary;
     }
-    return text + '\n' + recommendation_lines(scene);
+    const auto seed_count = static_cast<int>(summaries.front().seed_count);
+    return text + '\n' + recommendation_lines(scene, tolerance, seed_count);
 }
 
 }  // namespace coppice::lab

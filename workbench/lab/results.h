@@ -8,6 +8,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <compare>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -16,6 +17,17 @@
 #include <vector>
 
 namespace coppice::lab {
+
+/// Which tree of an experiment.
+struct RowKey {
+    std::string scene;
+    std::string primitives;
+    std::string protocol;
+    double sample_percent = 100.0;
+    std::uint64_t seed = 1;
+
+    auto operator<=>(const RowKey&) const = default;
+};
 
 /// One tree of the experiment: what was built, and what it measured.
 struct ResultRow {
@@ -47,7 +59,8 @@ struct SceneResult {
     std::uint64_t distinct_vertex_count = 0;  ///< 0 if no tree of points was asked for
     Aabb bounds;
     std::vector<ResultRow> rows;  ///< by primitives, protocol, seed, then rate, each as asked for
-    std::vector<Recommendation> recommended;
+    std::vector<Recommendation> recommended;  ///< by recommend(), with the options' tolerance
+    std::vector<Recommendation> knees;        ///< by find_knees()
 };
 
 /// The header line of results.csv, without a line end.

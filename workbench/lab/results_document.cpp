@@ -2,6 +2,8 @@
 
 #include "lab/machine.h"
 #include "lab/mesh_summary.h"
+#include "lab/recommend.h"
+#include "lab/seed_summary.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -33,17 +35,39 @@ Json details_json(const ResultRow& row) {
             {"cost_share_by_depth", statistics.cost_share_by_depth}};
 }
 
-Json recommendation_json(const Recommendation& recommendation) {
+Json recommendation_json(const Recommendation& recommendation, std::string_view rule,
+                         std::string_view source) {
     return {{"primitives", recommendation.primitives},
             {"protocol", recommendation.protocol},
             {"sample_percent", recommendation.chosen.percent},
             {"relative_cost", recommendation.chosen.cost},
             {"relative_time", recommendation.chosen.time},
-            {"rule", knee_rule},
-            {"source", knee_source}};
+            {"rule", rule},
+            {"source", source}};
 }
 
-Json scene_json(const SceneResult& scene) {
+Json seed_mean_json(const SeedMean& measure) {
+    Json json{{"mean", measure.mean}};
+    if (measure.interval) {
+        json["low"] = measure.interval->low;
+        json["high"] = measure.interval->high;
+    }
+    return json;
+}
+
+Json summary_json(const RateSummary& summary) {
+    return {{"primitives", summary.primitives},
+            {"protocol", summary.protocol},
+            {"sample_percent", summary.sample_percent},
+            {"seed_count", summary.seed_count},
+            {"interval", interval_name},
+            {"sah_cost", seed_mean_json(summary.sah_cost)},
+            {"relative_cost", seed_mean_json(summary.relative_cost)},
+            {"total_seconds", seed_mean_json(summary.total_seconds)},
+            {"relative_time", seed_mean_json(summary.relative_time)}};
+}
+
+Json scene_json(const ExperimentOptions& options, const SceneResult& scene) {
     Json json{{"scene", scene.scene},
               {"file", scene.file.string()},
               {"vertex_count", scene.vertex_count},
@@ -55,13 +79,22 @@ Json scene_json(const SceneResult& scene) {
     json["load_report"] = nlohmann::json(scene.load_report);
     json["rows"] = Json::array();
     json["details"] = Json::array();
+    json["summary"] = Json::array();
     json["recommended"] = Json::array();
+    json["knees"] = Json::array();
     for (const ResultRow& row : scene.rows) {
         json["rows"].push_back(row_json(row));
         json["details"].push_back(details_json(row));
     }
+    for (const RateSummary& summary : summarize_seeds(scene.rows)) {
+        json["summary"].push_back(summary_json(summary));
+    }
+    const std::string rule = recommendation_rule(options.tolerance, options.seed_count);
     for (const Recommendation& recommendation : scene.recommended) {
-        json["recommended"].push_back(recommendation_json(recommendation));
+        json["recommended"].push_back(recommendation_json(recommendation, rule, "Student 1908"));
+    }
+    for (const Recommendation& knee : scene.knees) {
+        json["knees"].push_back(recommendation_json(knee, knee_rule, knee_source));
     }
     return json;
 }
@@ -81,7 +114,7 @@ Json results_document(const ExperimentOptions& options, std::span<const SceneRes
     json["options"] = nlohmann::json(options);
     json["scenes"] = Json::array();
     for (const SceneResult& scene : scenes) {
-        json["scenes"].push_back(scene_json(scene));
+        json["scenes"].push_back(scene_json(options, scene));
     }
     // File names need not be UTF-8, JSON must be; numbers that are not finite become null.
     return Json::parse(json.dump(-1, ' ', false, Json::error_handler_t::replace));

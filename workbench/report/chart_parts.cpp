@@ -116,11 +116,18 @@ std::vector<double> collect_ends(const Series& series, std::string_view key, dou
     std::vector<double> ends;
     for (const RatePoint& point : series.points) {
         if (const Range* range = point.find(key)) {
-            ends.push_back(range->min * factor);
-            ends.push_back(range->max * factor);
+            ends.push_back(range->band_low() * factor);
+            ends.push_back(range->band_high() * factor);
         }
     }
     return ends;
+}
+
+bool has_intervals(const Series& series, std::string_view key) {
+    return std::ranges::any_of(series.points, [&](const RatePoint& point) {
+        const Range* range = point.find(key);
+        return range != nullptr && range->interval;
+    });
 }
 
 bool has_seeds(const Series& series) {
@@ -129,8 +136,8 @@ bool has_seeds(const Series& series) {
 
 void put_range(json& value, const std::string& field, const Range& range, double factor) {
     value[field] = range.mean * factor;
-    value[field + "_min"] = range.min * factor;
-    value[field + "_max"] = range.max * factor;
+    value[field + "_min"] = range.band_low() * factor;
+    value[field + "_max"] = range.band_high() * factor;
 }
 
 double rounded(double value) {

@@ -32,14 +32,18 @@ struct TimeUnit {
 /// The unit that suits every time called `key` of the series.
 [[nodiscard]] TimeUnit time_unit(const Series& series, std::string_view key);
 
-/// The least and the greatest over the seeds of a measure at every point, times `factor`.
+/// The ends of the band (Range::band_low()) of a measure at every point, times `factor`.
 [[nodiscard]] std::vector<double> collect_ends(const Series& series, std::string_view key,
                                                double factor = 1.0);
 
 /// Whether a point of the series stands for several seeds.
 [[nodiscard]] bool has_seeds(const Series& series);
 
-/// Sets the fields `field`, `field`_min and `field`_max, times `factor`.
+/// Whether a measure of the series has intervals, so that its bands show them.
+[[nodiscard]] bool has_intervals(const Series& series, std::string_view key);
+
+/// Sets the fields `field`, and `field`_min and `field`_max to the ends of its band, times
+/// `factor`.
 void put_range(nlohmann::json& value, const std::string& field, const Range& range,
                double factor = 1.0);
 

@@ -83,8 +83,9 @@ json make_rate_chart(const Series& series, const Measure& measure) {
     json tooltip{tip("protocol", "Protocol"), tip("label", "Sample"), tip("value", title, ",.4~r")};
     json layers = json::array();
     if (has_seeds(series)) {
-        tooltip.push_back(tip("value_min", "least", ",.4~r"));
-        tooltip.push_back(tip("value_max", "greatest", ",.4~r"));
+        const bool is_interval = has_intervals(series, measure.key);
+        tooltip.push_back(tip("value_min", is_interval ? "95 % from" : "least", ",.4~r"));
+        tooltip.push_back(tip("value_max", is_interval ? "95 % to" : "greatest", ",.4~r"));
         layers.push_back(
             {{"mark", {{"type", "area"}, {"opacity", 0.22}}},
              {"encoding", {{"y", {{"field", "value_min"}}}, {"y2", {{"field", "value_max"}}}}}});

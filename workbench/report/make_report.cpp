@@ -76,7 +76,11 @@ std::string seed_note(const Series& series) {
     for (const RatePoint& point : series.points) {
         most = std::max(most, point.seed_count);
     }
-    return most > 1 ? fmt::format("Mean of {} seeds, with the least and the greatest.", most) : "";
+    if (most <= 1) return {};
+    return fmt::format("Mean of {} seeds, with {}.", most,
+                       has_intervals(series, "sah_cost")
+                           ? "95 % t intervals (of relative costs paired by seed)"
+                           : "the least and the greatest");
 }
 
 std::string answer_section(const json& scene, const std::vector<Series>& series,

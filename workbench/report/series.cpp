@@ -53,7 +53,8 @@ void add_measures(RatePoint& point, const json& row,
     for (const auto& [key, value] : row.items()) {
         const std::optional<double> number = number_at(row, key);
         if (!number) continue;
-        Range& range = point.measures.try_emplace(key, Range{0.0, *number, *number}).first->second;
+        Range& range =
+            point.measures.try_emplace(key, Range{0.0, *number, *number, {}}).first->second;
         range.mean += *number;
         range.min = std::min(range.min, *number);
         range.max = std::max(range.max, *number);
@@ -78,6 +79,25 @@ void finish_means(RatePoint& point, const std::map<std::string, std::size_t>& co
     for (auto& [key, sums] : point.levels) {
         for (double& sum : sums) {
             sum /= static_cast<double>(counts_by_key.at(key));
+        }
+    }
+}
+
+// The intervals that the results give for the measures of their rows.
+void add_intervals(Series& series, const json& scene) {
+    for (const json& summary : array_at(scene, "summary")) {
+        if (text_at(summary, "primitives") != series.kind) continue;
+        for (RatePoint& point : series.points) {
+            const bool is_same = point.protocol == text_at(summary, "protocol") &&
+                                 point.percent == percent_of(summary);
+            if (!is_same) continue;
+            for (auto& [key, range] : point.measures) {
+                const auto at = summary.find(key);
+                if (at == summary.end()) continue;
+                const std::optional<double> low = number_at(*at, "low");
+                const std::optional<double> high = number_at(*at, "high");
+                if (low && high) range.interval = {*low, *high};
+            }
         }
     }
 }
@@ -108,6 +128,7 @@ void collect_points(Series& series, const json& scene) {
     for (RatePoint& point : series.points) {
         finish_means(point, counts[{point.protocol, point.percent}]);
     }
+    add_intervals(series, scene);
     std::erase_if(series.points, [](const RatePoint& point) {
         return point.seed_count == 0 || !(point.percent > 0.0);
     });
@@ -127,6 +148,14 @@ std::vector<std::string> find_kinds(const json& scene) {
 }
 
 }  // namespace
+
+double Range::band_low() const {
+    return interval ? std::max(interval->front(), 0.5 * min) : min;
+}
+
+double Range::band_high() const {
+    return interval ? interval->back() : max;
+}
 
 const Range* RatePoint::find(std::string_view name) const {
     const auto at = measures.find(name);

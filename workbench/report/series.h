@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -16,6 +17,12 @@ struct Range {
     double mean = 0.0;
     double min = 0.0;
     double max = 0.0;
+    std::optional<std::array<double, 2>> interval{};  ///< 95 % t interval of the mean
+
+    /// What a band shows: the interval, or else the least and the greatest. One that reaches down
+    /// to 0, as those of two seeds may, ends at half the least: logarithmic axes have no 0.
+    [[nodiscard]] double band_low() const;
+    [[nodiscard]] double band_high() const;
 };
 
 /// The trees of one protocol at one sample percentage, one for each seed.

@@ -34,7 +34,11 @@ std::string from_to(double least, double greatest) {
 std::string times(const Range& ratio, std::size_t seed_count) {
     std::string text = format_ratio(ratio.mean) + " times";
     if (seed_count > 1) {
-        text += fmt::format(" ({} over {} seeds)", from_to(ratio.min, ratio.max), seed_count);
+        text +=
+            ratio.interval
+                ? fmt::format(" (95 % interval {} of {} seeds)",
+                              from_to(ratio.interval->front(), ratio.interval->back()), seed_count)
+                : fmt::format(" ({} over {} seeds)", from_to(ratio.min, ratio.max), seed_count);
     }
     return text;
 }

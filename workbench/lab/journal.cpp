@@ -1,0 +1,222 @@
+// Lines are appended by one write and synced, so that what a kill or a power cut leaves is a
+// beginning of the file: whole lines, and at most one that is cut off, which is cut away on
+// opening.
+
+#include "lab/journal.h"
+
+#include "coppice/base/error.h"
+#include "coppice/io/write_file.h"
+
+#include <fcntl.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <system_error>
+
+namespace coppice::lab {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr int format_version = 1;
+
+[[noreturn]] void fail(const std::filesystem::path& path, const char* what) {
+    throw file_error(ErrorCode::io, path.string(),
+                     what + std::string(": ") + std::generic_category().message(errno));
+}
+
+std::vector<std::uintmax_t> sizes_of(const std::vector<std::filesystem::path>& files) {
+    std::vector<std::uintmax_t> sizes;
+    for (const std::filesystem::path& file : files) {
+        std::error_code ignored;  // loading says what is wrong with it
+        sizes.push_back(std::filesystem::file_size(file, ignored));
+    }
+    return sizes;
+}
+
+StageReport read_stage(const json& stages, const char* name) {
+    const json& stage = stages.at(name);
+    return {stage.at("wall_seconds"), stage.at("cpu_seconds"), stage.at("items")};
+}
+
+/// What is not finite is null in JSON.
+double read_number(const json& from) {
+    return from.is_null() ? std::numeric_limits<double>::quiet_NaN() : from.get<double>();
+}
+
+TreeStatistics read_statistics(const json& from) {
+    TreeStatistics statistics;
+    from.at("node_count").get_to(statistics.node_count);
+    from.at("inner_count").get_to(statistics.inner_count);
+    from.at("leaf_count").get_to(statistics.leaf_count);
+    from.at("single_primitive_leaf_count").get_to(statistics.single_primitive_leaf_count);
+    from.at("empty_leaf_count").get_to(statistics.empty_leaf_count);
+    from.at("reference_count").get_to(statistics.reference_count);
+    from.at("max_level").get_to(statistics.max_level);
+    statistics.mean_leaf_size = read_number(from.at("mean_leaf_size"));
+    statistics.sah_cost = read_number(from.at("sah_cost"));
+    statistics.expected_inner_visits = read_number(from.at("expected_inner_visits"));
+    statistics.expected_leaf_visits = read_number(from.at("expected_leaf_visits"));
+    statistics.expected_primitive_tests = read_number(from.at("expected_primitive_tests"));
+    from.at("depth_histogram").get_to(statistics.depth_histogram);
+    for (const json& share : from.at("cost_share_by_depth")) {
+        statistics.cost_share_by_depth.push_back(read_number(share));
+    }
+    return statistics;
+}
+
+BuildReport read_report(const json& from) {
+    BuildReport report;
+    from.at("primitive_count").get_to(report.primitive_count);
+    from.at("sample_count").get_to(report.sample_count);
+    from.at("tree_bytes").get_to(report.tree_bytes);
+    from.at("peak_bytes").get_to(report.peak_bytes);
+    const json& stages = from.at("stages");
+    report.stages = {read_stage(stages, "sample"), read_stage(stages, "build"),
+                     read_stage(stages, "empty"), read_stage(stages, "refill"),
+                     read_stage(stages, "refine")};
+    report.statistics = read_statistics(from.at("statistics"));
+    return report;
+}
+
+std::string row_line(const RowKey& key, const BuildReport& report) {
+    const json row{{"scene", key.scene},       {"primitives", key.primitives},
+                   {"protocol", key.protocol}, {"sample_percent", key.sample_percent},
+                   {"seed", key.seed},         {"report", report}};
+    return row.dump(-1, ' ', true, json::error_handler_t::replace) + '\n';
+}
+
+/// The name as JSON keeps it: what is not UTF-8 is replaced.
+RowKey stored_key(RowKey key) {
+    const std::string text = json(key.scene).dump(-1, ' ', true, json::error_handler_t::replace);
+    key.scene = json::parse(text).get<std::string>();
+    return key;
+}
+
+/// The file up to the end of its last whole line.
+std::string read_whole_lines(const std::filesystem::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) {
+        throw file_error(ErrorCode::io, path.string(),
+                         "there is no unfinished experiment to resume");
+    }
+    std::ostringstream contents;
+    contents << stream.rdbuf();
+    std::string text = contents.str();
+    text.resize(text.rfind('\n') + 1);  // 0 if there is none
+    return text;
+}
+
+}  // namespace
+
+/// The open file, at its end.
+struct Journal::File {
+    explicit File(const std::filesystem::path& path)
+        : descriptor(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC)) {
+        if (descriptor < 0) fail(path, "cannot open the file");
+    }
+
+    File(const File&) = delete;
+    File& operator=(const File&) = delete;
+
+    ~File() { ::close(descriptor); }
+
+    int descriptor;
+};
+
+Journal::Journal(std::filesystem::path path, ExperimentOptions options,
+                 std::vector<std::string> command)
+    : path_(std::move(path)), options_(std::move(options)), command_(std::move(command)) {}
+
+Journal::Journal(Journal&&) noexcept = default;
+Journal& Journal::operator=(Journal&&) noexcept = default;
+Journal::~Journal() = default;
+
+bool Journal::exists(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(folder / file_name, ignored);
+}
+
+Journal Journal::begin(const ExperimentOptions& options, const std::vector<std::string>& command) {
+    return {options.out / file_name, options, command};
+}
+
+void Journal::make_file() {
+    const json head{{"format", format_version},
+                    {"options", options_},
+                    {"has_all_primitives", options_.primitives.empty()},
+                    {"scene_bytes", sizes_of(options_.scenes)},
+                    {"command", command_}};
+    std::error_code error;
+    std::filesystem::create_directories(options_.out, error);  // write_file() says what is wrong
+    write_file(path_, head.dump(-1, ' ', true, json::error_handler_t::replace) + '\n');
+    file_ = std::make_unique<File>(path_);
+}
+
+Journal Journal::open(const std::filesystem::path& folder) {
+    const std::filesystem::path path = folder / file_name;
+    const std::string text = read_whole_lines(path);
+    const std::size_t head_end = std::min(text.find('\n'), text.size());
+    try {
+        const json head = json::parse(text.substr(0, head_end));
+        if (head.at("format") != format_version) {
+            throw file_error(ErrorCode::parse, path.string(), "is of another version of coppice");
+        }
+        Journal journal(path, experiment_options_of(head.at("options")), head.at("command"));
+        if (head.at("scene_bytes") != json(sizes_of(journal.options_.scenes))) {
+            throw file_error(ErrorCode::parse, path.string(),
+                             "a scene's file has changed since: the run cannot be resumed");
+        }
+        if (head.at("has_all_primitives").get<bool>()) journal.options_.primitives.clear();
+        journal.options_.out = folder;
+        journal.read_rows(std::string_view(text).substr(head_end));
+        std::filesystem::resize_file(path, text.size());
+        journal.file_ = std::make_unique<File>(path);
+        return journal;
+    } catch (const json::exception& error) {
+        throw file_error(ErrorCode::parse, path.string(),
+                         std::string("is not an unfinished experiment: ") + error.what());
+    }
+}
+
+void Journal::read_rows(std::string_view lines) {
+    std::istringstream stream{std::string(lines)};
+    for (std::string line; std::getline(stream, line);) {
+        if (line.empty()) continue;
+        const json row = json::parse(line);
+        rows_[{row.at("scene"), row.at("primitives"), row.at("protocol"), row.at("sample_percent"),
+               row.at("seed")}] = read_report(row.at("report"));
+    }
+}
+
+std::optional<BuildReport> Journal::find(const RowKey& key) const {
+    const auto at = rows_.find(stored_key(key));
+    return at == rows_.end() ? std::nullopt : std::optional(at->second);
+}
+
+void Journal::add(const RowKey& key, const BuildReport& report) {
+    if (file_ == nullptr) make_file();
+    const std::string line = row_line(key, report);
+    std::string_view rest = line;
+    while (!rest.empty()) {
+        const ssize_t written = ::write(file_->descriptor, rest.data(), rest.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) fail(path_, "cannot write to the file");
+        rest.remove_prefix(static_cast<std::size_t>(written));
+    }
+    if (::fsync(file_->descriptor) != 0) fail(path_, "cannot write to the file");
+    rows_[stored_key(key)] = report;
+}
+
+void Journal::remove() noexcept {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+}
+
+}  // namespace coppice::lab
