@@ -63,7 +63,7 @@ std::string recommendation_rule(double tolerance, int seed_count) {
                        100.0 * tolerance,
                        seed_count > 1 ? fmt::format("with 95 % confidence ({}, {} seeds)",
                                                     interval_name, seed_count)
-                                      : "of one seed, which gives no confidence (see --seeds)");
+                                      : "of one seed (no interval: see --seeds)");
 }
 
 std::vector<Recommendation> find_knees(std::span<const RateSummary> summaries) {
