@@ -27,6 +27,7 @@ public:
 /// Each adds one command to the program's parser. `arguments` is the program's argument list.
 [[nodiscard]] Command add_experiment(CLI::App& program, const std::vector<std::string>& arguments);
 [[nodiscard]] Command add_build(CLI::App& program);
+[[nodiscard]] Command add_check(CLI::App& program);
 [[nodiscard]] Command add_bench(CLI::App& program);
 [[nodiscard]] Command add_tune(CLI::App& program);
 [[nodiscard]] Command add_compare(CLI::App& program);

@@ -1,9 +1,10 @@
-// coppice build: one tree by one method, and the report of how it was built.
+// coppice build: one tree by one method, the report of how it was built, and the tree as a file.
 
 #include "coppice/build/build_tree.h"
 #include "coppice/build/estimate.h"
 #include "coppice/build/method.h"
 #include "coppice/io/load_mesh.h"
+#include "coppice/store/tree_file.h"
 
 #include "build_arguments.h"
 #include "command.h"
@@ -12,11 +13,13 @@
 #include "lab/progress_line.h"
 #include "lab/scene_names.h"
 #include "options.h"
+#include "tree_arguments.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <memory>
+#include <variant>
 
 namespace coppice::app {
 
@@ -26,6 +29,7 @@ namespace {
 struct Request {
     std::vector<std::string> scenes;
     MethodRequest build;
+    std::string out;
     bool as_json = false;
 };
 
@@ -34,15 +38,31 @@ Estimate estimate(const Method& method, const BuildOptions& options, const Trian
                                        : estimate_wide_bvh(mesh.view(), options);
 }
 
-BuildReport build(const Method& method, const BuildOptions& options, const TriangleMesh& mesh) {
-    BuildReport report;
+AnyTree build(const Method& method, const BuildOptions& options, const TriangleMesh& mesh,
+              BuildReport& report) {
+    AnyTree tree;
     if (method.tree == TreeKind::kd) {
-        static_cast<void>(build_kd_tree(mesh.view(), options, &report));
+        tree = build_kd_tree(mesh.view(), options, &report);
     } else {
-        static_cast<void>(build_wide_bvh(mesh.view(), options, &report));
+        tree = build_wide_bvh(mesh.view(), options, &report);
     }
     report.method = method.name;
-    return report;
+    return tree;
+}
+
+/// The number of threads is left out: the tree does not depend on it, nor does its file.
+TreeOrigin origin_of(const BuildReport& report) {
+    nlohmann::json options = report.options;
+    options.erase("threads");
+    return {report.method, options.dump()};
+}
+
+void save(const std::string& file, const AnyTree& tree, const TriangleMesh& mesh,
+          const BuildReport& report) {
+    const Fingerprint primitives = fingerprint_of(mesh.view());
+    const TreeOrigin origin = origin_of(report);
+    const DeferInterrupts whole_file;
+    std::visit([&](const auto& any) { save_tree(file, any, primitives, origin); }, tree);
 }
 
 void run_request(const Request& request, Output& output) {
@@ -58,15 +78,22 @@ void run_request(const Request& request, Output& output) {
         progress.show(names[i] + ": estimating");
         const Estimate expected = estimate(method, options, mesh);
         progress.show(names[i] + ": building", expected.seconds);
-        BuildReport report = build(method, options, mesh);
+        BuildReport report;
+        const AnyTree tree = build(method, options, mesh, report);
         report.estimate = expected;
+        if (!request.out.empty()) {
+            progress.show(names[i] + ": writing");
+            save(request.out, tree, mesh, report);
+        }
         progress.clear();
         if (request.as_json) {
             scenes.push_back({{"scene", names[i]}, {"file", request.scenes[i]}});
+            if (!request.out.empty()) scenes.back()["output"] = request.out;
             scenes.back()["report"] = nlohmann::json(report);
         } else {
-            const char* tree = method.tree == TreeKind::kd ? "k-d tree" : "8-wide tree";
-            output.print((i == 0 ? "" : "\n") + lab::build_text(names[i], tree, report));
+            const std::string kind(kind_name(tree));
+            output.print((i == 0 ? "" : "\n") + lab::build_text(names[i], kind, report));
+            if (!request.out.empty()) output.print(fmt::format("written: {}\n", request.out));
         }
     }
     if (request.as_json) {
@@ -77,6 +104,15 @@ void run_request(const Request& request, Output& output) {
     }
 }
 
+void check_output(const Request& request) {
+    if (request.out.empty()) return;
+    if (request.scenes.size() > 1) {
+        throw UsageError(
+            fmt::format("--out: one scene at a time; '{}' is a second one", request.scenes[1]));
+    }
+    check_tree_output(request.out, request.scenes.front());
+}
+
 }  // namespace
 
 Command add_build(CLI::App& program) {
@@ -85,6 +121,8 @@ Command add_build(CLI::App& program) {
     parser->allow_extras();
     const auto request = std::make_shared<Request>();
     add_scenes(*parser, request->scenes);
+    add_text(*parser, {"-o,--out", "FILE", "Save the tree, for trace, render and check", ""},
+             request->out);
     add_method(*parser, request->build, "Same seed, same sample");
     add_switch(*parser, "--json", "Print JSON instead of text",
                [request] { request->as_json = true; });
@@ -92,11 +130,13 @@ Command add_build(CLI::App& program) {
         "Examples:\n"
         "  coppice build scenes/dragon.obj\n"
         "  coppice build scenes/dragon.obj --method sampled --sample 0.1%\n"
+        "  coppice build scenes/dragon.obj -o dragon.cpk\n"
         "  coppice build a.obj b.ply.gz --method exact --threads 1 --json\n"
         "The names of methods and samplers are explained by `coppice list`.");
     return {parser, [parser, request](Output& output) {
                 require_scenes(*parser, request->scenes);
                 wipe_line_on_interrupt();
+                check_output(*request);
                 run_request(*request, output);
             }};
 }

@@ -2,7 +2,9 @@
 
 #include "coppice/base/error.h"
 #include "coppice/base/parallel.h"
+#include "coppice/base/timer.h"
 #include "coppice/io/load_mesh.h"
+#include "coppice/store/tree_file.h"
 
 #include "build_arguments.h"
 #include "command.h"
@@ -15,6 +17,7 @@
 #include "render/encode_image.h"
 #include "render/heat_map.h"
 #include "render/render_report.h"
+#include "tree_arguments.h"
 #include "view_arguments.h"
 
 #include <fmt/format.h>
@@ -25,6 +28,8 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
+#include <variant>
 
 namespace coppice::app {
 
@@ -48,6 +53,7 @@ struct Request {
     std::optional<Vec3f> sky;
     render::DevelopOptions develop{.cost_scale = 0.0};  // 0: by the image
     MethodRequest build;
+    std::string tree;
     bool as_json = false;
 };
 
@@ -170,6 +176,24 @@ double default_ao_distance(const Aabb& box) {
     return std::max(0.1 * diagonal, double{std::numeric_limits<float>::min()});
 }
 
+/// A tree built for the mesh, or loaded; tells the report which and how long it took.
+std::unique_ptr<render::RayTracer> make_tree(const Request& request, TriangleMeshView mesh,
+                                             render::RenderReport& report) {
+    if (request.tree.empty()) {
+        const Method& method = find_method(request.build.method);
+        report.tree = method.tree;
+        return render::build_tracer(method, options_of(request.build), mesh, &report.build);
+    }
+    const Timer timer;
+    SavedTree saved = load_tree(request.tree, fingerprint_of(mesh));
+    report.tree = std::holds_alternative<KdTree>(saved.tree) ? TreeKind::kd : TreeKind::wide;
+    report.tree_file = request.tree;
+    report.build.method = saved.origin.method;
+    auto tracer = render::make_tracer(std::move(saved.tree), mesh);
+    report.tree_load_seconds = timer.seconds();
+    return tracer;
+}
+
 /// Loads, builds and traces; the report has all but where the image is.
 render::RenderResult render_scene(const Request& request, render::RenderReport& report,
                                   lab::ProgressLine& progress) {
@@ -195,11 +219,8 @@ render::RenderResult render_scene(const Request& request, render::RenderReport& 
     static_cast<void>(
         render::CameraRays(report.camera, request.options.width, request.options.height));
 
-    progress.show(report.scene + ": building");
-    const Method& method = find_method(request.build.method);
-    report.tree = method.tree;
-    const auto tracer =
-        render::build_tracer(method, options_of(request.build), mesh.view(), &report.build);
+    progress.show(report.scene + (request.tree.empty() ? ": building" : ": loading its tree"));
+    const auto tracer = make_tree(request, mesh.view(), report);
     const render::View view{tracer.get(), mesh.view(), &attributes, &lighting};
     const auto integrator =
         render::find_integrator(request.integrator).make(report.integrator_options);
@@ -289,16 +310,19 @@ Command add_render(CLI::App& program) {
     add_camera(*parser, request->camera);
     add_light(*parser, *request);
     add_method(*parser, request->build, "Same seed, same image and sample");
+    add_tree(*parser, request->tree);
     add_switch(*parser, "--json", "Print JSON instead of text",
                [request] { request->as_json = true; });
     parser->footer(
         "Examples:\n"
         "  coppice render scenes/dragon.obj -o dragon.png\n"
         "  coppice render room.obj -o room.exr --integrator path --spp 256 --size 1920x1080\n"
+        "  coppice render scenes/dragon.obj -o dragon.png --tree dragon.cpk\n"
         "  coppice render dragon.obj -o near.png --eye=-0.1,0.2,0.4 --look-at=0,0.1,0 --fov 30\n"
         "The camera that is chosen is printed as options, to go on from.");
     return {parser, [parser, request](Output& output) {
                 check_request(*parser, *request);
+                check_tree_arguments(*parser, request->tree, request->scenes);
                 request->options.seed = request->build.seed;
                 request->options.threads = request->build.threads;
                 wipe_line_on_interrupt();

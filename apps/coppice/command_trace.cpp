@@ -12,6 +12,7 @@
 #include "lab/progress_line.h"
 #include "lab/trace_run.h"
 #include "options.h"
+#include "tree_arguments.h"
 #include "view_arguments.h"
 
 #include <fmt/format.h>
@@ -27,6 +28,7 @@ namespace {
 struct Request {
     std::vector<std::string> scenes;
     MethodRequest build;
+    std::string tree;
     std::string check;
     std::string json;
     lab::TraceOptions options;
@@ -73,6 +75,7 @@ void fail_if_wrong(const std::vector<lab::TraceScene>& scenes) {
 void run_request(Request& request, Output& output) {
     lab::TraceOptions& options = request.options;
     options.scenes.assign(request.scenes.begin(), request.scenes.end());
+    options.tree = request.tree;
     options.method = request.build.method;
     options.build = options_of(request.build);
     options.seed = request.build.seed;
@@ -115,16 +118,19 @@ Command add_trace(CLI::App& program) {
     add_switch(*parser, "--count", "Count nodes, leaves and primitives that rays visit",
                [request] { request->options.counts = true; });
     add_method(*parser, request->build, "Another seed, another sample and other rays");
+    add_tree(*parser, request->tree);
     add_camera(*parser, request->options.camera);
     add_text(*parser, {"--json", "FILE", "Also write all figures to a file", ""}, request->json);
     parser->footer(
         "Examples:\n"
         "  coppice trace scenes/dragon.obj\n"
         "  coppice trace scenes/dragon.obj --rays axis,grazing --check embree\n"
+        "  coppice trace scenes/dragon.obj --tree dragon.cpk\n"
         "  coppice trace a.obj b.ply.gz --method sampled --count --json trace.json\n"
         "The names of methods and ray kinds are explained by `coppice list`.");
     return {parser, [parser, request](Output& output) {
                 require_scenes(*parser, request->scenes);
+                check_tree_arguments(*parser, request->tree, request->scenes);
                 wipe_line_on_interrupt();
                 run_request(*request, output);
             }};

@@ -114,6 +114,7 @@ int run_program(int argument_count, char** argument_texts) {
     program.allow_extras();
     const std::vector<Command> commands{add_experiment(program, arguments),
                                         add_build(program),
+                                        add_check(program),
                                         add_bench(program),
                                         add_tune(program),
                                         add_compare(program),
@@ -128,6 +129,8 @@ int run_program(int argument_count, char** argument_texts) {
         "  coppice info terrain.obj\n"
         "  coppice experiment terrain.obj --out out/terrain\n"
         "  coppice build terrain.obj\n"
+        "  coppice build terrain.obj -o terrain.cpk\n"
+        "  coppice check terrain.cpk terrain.obj\n"
         "  coppice bench terrain.obj\n"
         "  coppice tune terrain.obj --rays 1e8\n"
         "  coppice trace terrain.obj --count\n"

@@ -43,6 +43,8 @@
 #include "coppice/sample/sampler.h"
 #include "coppice/scene/point_scene.h"
 #include "coppice/scene/scene.h"
+#include "coppice/store/fingerprint.h"
+#include "coppice/store/tree_file.h"
 #include "coppice/trace/brute_force.h"
 #include "coppice/trace/intersect.h"
 #include "coppice/trace/wide_tracer.h"

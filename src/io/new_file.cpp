@@ -61,6 +61,12 @@ void NewFile::write(std::string_view bytes) {
     }
 }
 
+void NewFile::sync() {
+    if (std::fflush(stream_) != 0 || fsync(fileno(stream_)) != 0) {
+        fail(errno);
+    }
+}
+
 void NewFile::commit() {
     // Closing writes what is still in the buffer: a full disk may show only here.
     std::FILE* const stream = stream_;

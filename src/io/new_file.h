@@ -25,6 +25,9 @@ public:
     /// Appends bytes. Throws Error(io).
     void write(std::string_view bytes);
 
+    /// Waits until all that was written is on the disk. Throws Error(io).
+    void sync();
+
     /// Gives the file its final name. Throws Error(io).
     void commit();
 

@@ -94,6 +94,7 @@ Json scene_json(const TraceScene& scene) {
     Json json{{"scene", scene.scene},
               {"file", scene.file.string()},
               {"triangles", scene.triangles},
+              {"method", scene.method},
               {"build_seconds", scene.build_seconds}};
     json["camera"] = nlohmann::json(scene.camera);
     json["light"] = vector_json(scene.light);
@@ -112,6 +113,11 @@ Json options_json(const TraceOptions& options) {
         json["rays"].push_back(name_of_kind(kind));
     }
     json["build"] = nlohmann::json(options.build);
+    if (!options.tree.empty()) {
+        json["method"] = nullptr;
+        json["build"] = nullptr;
+        json["tree"] = options.tree.string();
+    }
     return json;
 }
 

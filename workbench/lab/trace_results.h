@@ -71,7 +71,8 @@ struct TraceScene {
     std::string scene;
     std::filesystem::path file;
     std::uint64_t triangles = 0;
-    double build_seconds = 0.0;
+    double build_seconds = 0.0;  ///< or to load it
+    std::string method;          ///< of the tree
     render::Camera camera;
     Vec3f light;
     std::vector<TraceRow> rows;

@@ -8,6 +8,7 @@
 #include "coppice/base/timer.h"
 #include "coppice/build/method.h"
 #include "coppice/io/load_mesh.h"
+#include "coppice/store/tree_file.h"
 
 #include "lab/hard_rays.h"
 #include "lab/named.h"
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace coppice::lab {
 
@@ -83,9 +85,17 @@ public:
     }
 
     void run_all() {
-        tell("building");
         const Timer timer;
-        tree_.emplace(mesh_, find_method(run_.options.method).tree, run_.options.build);
+        if (run_.options.tree.empty()) {
+            tell("building");
+            tree_.emplace(mesh_, find_method(run_.options.method).tree, run_.options.build);
+            scene_.method = run_.options.method;
+        } else {
+            tell("loading its tree");
+            SavedTree saved = load_tree(run_.options.tree, fingerprint_of(mesh_));
+            tree_.emplace(mesh_, std::move(saved.tree));
+            scene_.method = saved.origin.method;
+        }
         scene_.build_seconds = timer.seconds();
         if (run_.options.check != TraceCheck::none) {
             check_.emplace(mesh_, run_.options.check, run_.options.build.threads);
@@ -188,6 +198,9 @@ void check(const TraceOptions& options) {
     if (options.size < 1 || options.size > TraceOptions::max_size) {
         throw Error(ErrorCode::invalid_argument, fmt::format("size {} is outside [1, {}]",
                                                              options.size, TraceOptions::max_size));
+    }
+    if (!options.tree.empty() && options.scenes.size() > 1) {
+        throw Error(ErrorCode::invalid_argument, "a saved tree is for one scene");
     }
     HitCheck::require(options.check);
 }

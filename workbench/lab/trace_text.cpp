@@ -105,10 +105,10 @@ std::string comparison_table(const TraceOptions& options, const TraceScene& scen
 }  // namespace
 
 std::string trace_text(const TraceOptions& options, const TraceScene& scene) {
-    std::string text =
-        fmt::format("{}: {} triangles; {} built in {:.3g} s; seen from {} towards {}\n",
-                    scene.scene, scene.triangles, options.method, scene.build_seconds,
-                    point_text(scene.camera.eye), point_text(scene.camera.look_at));
+    std::string text = fmt::format("{}: {} triangles; {} {} in {:.3g} s; seen from {} towards {}\n",
+                                   scene.scene, scene.triangles, scene.method,
+                                   options.tree.empty() ? "built" : "loaded", scene.build_seconds,
+                                   point_text(scene.camera.eye), point_text(scene.camera.look_at));
     text += speed_table(scene);
     if (options.counts) text += count_table(scene);
     if (options.check != TraceCheck::none) text += comparison_table(options, scene);

@@ -3,6 +3,9 @@
 #include "coppice/build/build_tree.h"
 #include "coppice/trace/intersect.h"
 
+#include <utility>
+#include <variant>
+
 namespace coppice::lab {
 
 TracedTree::TracedTree(TriangleMeshView mesh, TreeKind kind, const BuildOptions& options)
@@ -11,6 +14,14 @@ TracedTree::TracedTree(TriangleMeshView mesh, TreeKind kind, const BuildOptions&
         wide_.emplace(build_wide_bvh(mesh, options));
     } else {
         kd_ = build_kd_tree(mesh, options);
+    }
+}
+
+TracedTree::TracedTree(TriangleMeshView mesh, AnyTree tree) : mesh_(mesh) {
+    if (auto* const wide = std::get_if<WideBvh>(&tree)) {
+        wide_.emplace(std::move(*wide));
+    } else {
+        kd_ = std::get<KdTree>(std::move(tree));
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "coppice/build/method.h"
 #include "coppice/geom/triangle_mesh.h"
+#include "coppice/store/tree_file.h"
 #include "coppice/trace/traversal_counts.h"
 #include "coppice/trace/wide_tracer.h"
 #include "coppice/tree/kd_tree.h"
@@ -15,6 +16,9 @@ class TracedTree {
 public:
     /// Builds the tree. Throws like build_kd_tree() and build_wide_bvh().
     TracedTree(TriangleMeshView mesh, TreeKind kind, const BuildOptions& options);
+
+    /// Takes a tree that there is, over that mesh.
+    TracedTree(TriangleMeshView mesh, AnyTree tree);
 
     /// The closest hit, or nothing.
     [[nodiscard]] std::optional<Hit> intersect(const Ray& ray) const noexcept;

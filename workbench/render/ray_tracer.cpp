@@ -5,6 +5,7 @@
 #include "coppice/trace/wide_tracer.h"
 
 #include <utility>
+#include <variant>
 
 namespace coppice::render {
 
@@ -55,16 +56,23 @@ private:
 
 }  // namespace
 
+std::unique_ptr<RayTracer> make_tracer(AnyTree tree, TriangleMeshView mesh) {
+    if (auto* const wide = std::get_if<WideBvh>(&tree)) {
+        return std::make_unique<WideRayTracer>(std::move(*wide));
+    }
+    return std::make_unique<KdRayTracer>(std::get<KdTree>(std::move(tree)), mesh);
+}
+
 std::unique_ptr<RayTracer> build_tracer(const Method& method, const BuildOptions& options,
                                         TriangleMeshView mesh, BuildReport* report) {
-    std::unique_ptr<RayTracer> tracer;
+    AnyTree tree;
     if (method.tree == TreeKind::kd) {
-        tracer = std::make_unique<KdRayTracer>(build_kd_tree(mesh, options, report), mesh);
+        tree = build_kd_tree(mesh, options, report);
     } else {
-        tracer = std::make_unique<WideRayTracer>(build_wide_bvh(mesh, options, report));
+        tree = build_wide_bvh(mesh, options, report);
     }
     if (report != nullptr) report->method = method.name;
-    return tracer;
+    return make_tracer(std::move(tree), mesh);
 }
 
 }  // namespace coppice::render

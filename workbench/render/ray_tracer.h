@@ -4,6 +4,7 @@
 #include "coppice/build/method.h"
 #include "coppice/geom/ray.h"
 #include "coppice/geom/triangle_mesh.h"
+#include "coppice/store/tree_file.h"
 #include "coppice/trace/traversal_counts.h"
 
 #include <memory>
@@ -29,6 +30,9 @@ public:
     /// True if anything lies on the ray.
     [[nodiscard]] virtual bool occluded(const Ray& ray) const noexcept = 0;
 };
+
+/// What traces a tree that there is, over a mesh, which must outlive the tracer.
+[[nodiscard]] std::unique_ptr<RayTracer> make_tracer(AnyTree tree, TriangleMeshView mesh);
 
 /// Builds a tree over a mesh, which must outlive the tracer, by a method with `options`. Throws
 /// Error like build_kd_tree() and build_wide_bvh().

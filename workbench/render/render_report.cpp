@@ -86,6 +86,16 @@ const char* tree_name(TreeKind kind) {
     return kind == TreeKind::kd ? "k-d tree" : "8-wide tree";
 }
 
+std::string tree_text(const RenderReport& report) {
+    if (!report.tree_file.empty()) {
+        return fmt::format("{}, {}, loaded from {} in {:.3f} s", report.build.method,
+                           tree_name(report.tree), report.tree_file, report.tree_load_seconds);
+    }
+    return fmt::format("{}, {}, built in {:.3f} s, SAH cost {:.2f}", report.build.method,
+                       tree_name(report.tree), report.build_seconds(),
+                       report.build.statistics.sah_cost);
+}
+
 }  // namespace
 
 double RenderReport::mrays_per_second() const noexcept {
@@ -100,9 +110,7 @@ std::string camera_text(const Camera& camera) {
 std::string render_text(const RenderReport& report) {
     std::string text = fmt::format("{}: {} triangles, loaded in {:.2f} s\n", report.scene,
                                    grouped(report.triangle_count), report.load_seconds);
-    text += fmt::format("  tree    {}, {}, built in {:.3f} s, SAH cost {:.2f}\n",
-                        report.build.method, tree_name(report.tree), report.build_seconds(),
-                        report.build.statistics.sah_cost);
+    text += fmt::format("  tree    {}\n", tree_text(report));
     text += fmt::format("  camera  {}{}\n", camera_text(report.camera),
                         report.is_camera_chosen ? "  (chosen)" : "");
     text += fmt::format("  light   {}\n", lamp_text(report));
@@ -150,6 +158,10 @@ void to_json(nlohmann::json& json, const RenderReport& report) {
             {"output", report.output},
             {"warnings", report.warnings},
             {"build", report.build}};
+    if (report.tree_file.empty()) return;
+    json["build"] = nullptr;
+    json["tree_file"] = report.tree_file;
+    json["tree_load_seconds"] = report.tree_load_seconds;
 }
 
 }  // namespace coppice::render

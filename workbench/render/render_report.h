@@ -26,6 +26,8 @@ struct RenderReport {
     double load_seconds = 0.0;
     TreeKind tree = TreeKind::wide;
     BuildReport build;
+    std::string tree_file;           ///< if the tree was not built but loaded, of `build.method`
+    double tree_load_seconds = 0.0;  ///< then
     std::string integrator;
     IntegratorOptions integrator_options;
     RenderOptions options;

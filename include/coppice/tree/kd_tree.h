@@ -4,6 +4,7 @@
 #include "coppice/tree/kd_node.h"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -14,18 +15,22 @@ namespace coppice {
 ///
 /// Order: node 0 is the root; siblings are adjacent; after a pair of siblings come all nodes below
 /// the lower one, then all below the upper one, so that children follow their parents. References
-/// stand leaf by leaf in depth-first order, ascending within a leaf.
+/// stand leaf by leaf in depth-first order, ascending within a leaf. Copies share their arrays.
 class KdTree {
 public:
     /// No leaf may be deeper, so that traversals do with a stack of fixed size.
     static constexpr int max_depth = 60;
 
     /// The tree of nothing: one empty leaf in an empty box.
-    KdTree() = default;
+    KdTree() noexcept;
 
     /// Takes over arrays in the order described above. Throws Error(invalid_argument) if `nodes`
     /// is empty; validate() checks the rest.
     KdTree(std::vector<KdNode> nodes, std::vector<std::uint32_t> references, const Aabb& bounds);
+
+    /// The same in arrays that `storage` keeps alive, such as a mapped file.
+    KdTree(std::shared_ptr<const void> storage, std::span<const KdNode> nodes,
+           std::span<const std::uint32_t> references, const Aabb& bounds);
 
     [[nodiscard]] std::span<const KdNode> nodes() const noexcept { return nodes_; }
 
@@ -42,16 +47,29 @@ public:
 
     /// Bytes of nodes and references.
     [[nodiscard]] std::uint64_t byte_count() const noexcept {
-        return nodes_.size() * sizeof(KdNode) + references_.size() * sizeof(std::uint32_t);
+        return nodes_.size_bytes() + references_.size_bytes();
     }
 
-    friend bool operator==(const KdTree&, const KdTree&) = default;
+    /// True for equal arrays and boxes.
+    friend bool operator==(const KdTree& a, const KdTree& b) noexcept;
 
 private:
     friend class Skeleton;
 
-    std::vector<KdNode> nodes_{KdNode{}};
-    std::vector<std::uint32_t> references_;
+    struct Arrays {
+        std::vector<KdNode> nodes;
+        std::vector<std::uint32_t> references;
+    };
+
+    KdTree(std::shared_ptr<Arrays> arrays, const Aabb& bounds);
+
+    /// The nodes, moved where no other tree shares them; leaves the tree of nothing.
+    [[nodiscard]] std::vector<KdNode> release_nodes();
+
+    std::shared_ptr<Arrays> arrays_;       // null if the arrays are in storage_, or static
+    std::shared_ptr<const void> storage_;  // null if they are not
+    std::span<const KdNode> nodes_;
+    std::span<const std::uint32_t> references_;
     Aabb bounds_;
 };
 

@@ -10,7 +10,7 @@
 //
 // Stack: an inner node leaves at most 7 entries, and no node is deeper than WideBvh::max_depth.
 
-constexpr std::size_t max_stack = (wide_width - 1) * WideBvh::max_depth + 1;
+constexpr std::size_t max_stack = (wide_width - 1) * (WideBvh::max_depth + 1);
 
 inline unsigned lanes_with_triangle(const TriangleBlock& block) noexcept {
     unsigned mask = 0;

@@ -8,7 +8,7 @@
 //
 // Stack: an inner node leaves at most 7 entries, and no node is deeper than WideBvh::max_depth.
 
-constexpr std::size_t max_stack = (wide_width - 1) * WideBvh::max_depth + 1;
+constexpr std::size_t max_stack = (wide_width - 1) * (WideBvh::max_depth + 1);
 
 // A child that waits and the distance at which the ray enters it. As integers the nearer of two is
 // the smaller, for distances that are not negative; else only the order of visits suffers.

@@ -1,0 +1,54 @@
+#include "tree_arguments.h"
+
+#include "interrupts.h"
+#include "lab/output_folder.h"
+#include "options.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <system_error>
+
+namespace coppice::app {
+
+void add_tree(CLI::App& parser, std::string& tree) {
+    add_text(
+        parser,
+        {"--tree", "FILE", "Take the tree that `coppice build -o FILE` saved for the scene", ""},
+        tree);
+}
+
+void check_tree_arguments(const CLI::App& parser, const std::string& tree,
+                          std::span<const std::string> scenes) {
+    if (tree.empty()) return;
+    for (const char* name : {"--method", "--sample", "--sampler", "--traversal-cost",
+                             "--intersection-cost", "--empty-bonus"}) {
+        if (parser.count(name) == 0) continue;
+        throw UsageError(
+            fmt::format("{}: the tree of --tree is built already; give only one of them", name));
+    }
+    if (scenes.size() > 1) {
+        throw UsageError(
+            fmt::format("--tree: a tree is for one scene; '{}' is a second one", scenes[1]));
+    }
+}
+
+std::string_view kind_name(const AnyTree& tree) noexcept {
+    return std::holds_alternative<KdTree>(tree) ? "k-d tree" : "8-wide tree";
+}
+
+void check_tree_output(const std::string& file, const std::filesystem::path& scene) {
+    const std::filesystem::path path(file);
+    const std::string name = path.filename().string();
+    if (name.empty()) throw UsageError("--out: no file is named; example: --out tree.cpk");
+    std::error_code problem;
+    if (std::filesystem::equivalent(path, scene, problem)) {
+        throw UsageError(
+            fmt::format("--out: '{}' is the scene itself; example: --out tree.cpk", file));
+    }
+    const DeferInterrupts no_trace;
+    lab::check_writable(path.has_parent_path() ? path.parent_path() : ".",
+                        std::array{std::string_view(name)});
+}
+
+}  // namespace coppice::app
