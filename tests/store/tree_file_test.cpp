@@ -108,7 +108,9 @@ TEST(TreeFile, AWideTreeComesBackAndTracesTheSame) {
         const auto hit = before.intersect(ray);
         const auto again = after.intersect(ray);
         ASSERT_EQ(hit.has_value(), again.has_value());
-        if (hit) EXPECT_TRUE(hit->t == again->t && hit->prim == again->prim);
+        if (hit) {
+            EXPECT_TRUE(hit->t == again->t && hit->prim == again->prim);
+        }
     }
     EXPECT_EQ(MeshSearch(loaded).nearest({0.5F, 0.5F, 0.5F}).prim,
               MeshSearch(tree).nearest({0.5F, 0.5F, 0.5F}).prim);
@@ -269,7 +271,7 @@ TEST(TreeFile, ATreeTooDeepIsRefused) {
 }
 
 TEST(TreeFile, AForgedWideTreeCannotLeadOutOfItsArrays) {
-    const std::string bytes = saved_wide(make_terrain(8, 1));
+    const std::string bytes = saved_wide(make_terrain(24, 1));
     const TreeFileHeader header = header_of(bytes);
     ASSERT_GT(header.node_count, 2U);
     const auto count = static_cast<std::uint32_t>(header.node_count);
@@ -291,7 +293,7 @@ TEST(TreeFile, AForgedWideTreeCannotLeadOutOfItsArrays) {
                   WideChild::make_leaf(static_cast<std::uint32_t>(header.item_count) - 1, 2)),
               "");
     EXPECT_NE(error_with_child(WideChild::make_empty()), "");
-    EXPECT_NE(error_with_block([](TriangleBlock& block) { block.id[0] = 128; }), "");
+    EXPECT_NE(error_with_block([](TriangleBlock& block) { block.id[0] = 2 * 24 * 24; }), "");
     EXPECT_NE(error_with_block([](TriangleBlock& block) {
                   block.id[7] = TriangleBlock::no_triangle;
                   block.corner[0][0][7] = 0.0F;
