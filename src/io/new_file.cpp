@@ -56,6 +56,7 @@ NewFile::~NewFile() {
 }
 
 void NewFile::write(std::string_view bytes) {
+    if (bytes.empty()) return;  // data() may be null, which fwrite() must not be given
     if (std::fwrite(bytes.data(), 1, bytes.size(), stream_) < bytes.size()) {
         fail(errno);
     }
