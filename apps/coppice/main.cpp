@@ -7,6 +7,7 @@
 #include "interrupts.h"
 #include "lab/machine.h"
 #include "options.h"
+#include "standard_input.h"
 #include "usage.h"
 
 #include <CLI/CLI.hpp>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <csignal>
 #include <new>
+#include <system_error>
 
 namespace coppice::app {
 
@@ -150,8 +152,8 @@ int run_program(int argument_count, char** argument_texts) {
 
 }  // namespace
 
-void require_scenes(const CLI::App& command, const std::vector<std::string>& scenes) {
-    if (!scenes.empty()) return;
+void require_scenes(const CLI::App& command, std::vector<std::string>& scenes) {
+    if (!scenes.empty()) return take_standard_input(scenes);
     // An unknown option is the likelier mistake: it may have swallowed the scene.
     refuse_unknown(command, "coppice " + command.get_name());
     throw UsageError(fmt::format("{}: no scene is given; example: coppice {} scenes/dragon.obj",
@@ -162,6 +164,7 @@ void require_scenes(const CLI::App& command, const std::vector<std::string>& sce
 
 int main(int argument_count, char** arguments) {
     using namespace coppice;
+    app::hold_standard_streams();
     std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is a failed write, see Output
     try {
         return app::run_program(argument_count, arguments);
@@ -176,6 +179,8 @@ int main(int argument_count, char** arguments) {
         app::print_message(cut_short.what());
     } catch (const std::bad_alloc&) {
         app::print_message("out of memory: the scene and its tree do not fit");
+    } catch (const std::system_error& error) {  // a thread that the system does not give
+        app::print_message(fmt::format("cannot go on: {}", error.what()));
     } catch (const std::exception& error) {
         app::print_message(fmt::format("internal error: {}", error.what()));
     }
