@@ -17,10 +17,6 @@ struct Lanes3 {
     Lanes z;
 };
 
-inline Lanes3 operator-(const Lanes3& a, const Lanes3& b) noexcept {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
 inline Lanes3 broadcast(Vec3f v) noexcept {
     return {broadcast(v.x), broadcast(v.y), broadcast(v.z)};
 }
@@ -73,7 +69,7 @@ struct BoxHits {
 };
 
 // Whether products with the ray's origin and inverse direction, and with the bounds of all boxes,
-// neither overflow nor are NaN, and nothing behind the origin matters.
+// neither overflow nor are NaN, and nothing behind the origin matters. Such a ray is_traceable().
 inline bool is_quick(const Ray& ray, const Aabb& bounds) noexcept {
     constexpr float far = 0x1.0p60F;
     const auto is_near = [](Vec3f v) {
@@ -81,8 +77,8 @@ inline bool is_quick(const Ray& ray, const Aabb& bounds) noexcept {
     };
     const auto is_plain = [](float d) { return std::abs(d) >= 1.0F / far && std::abs(d) <= far; };
     return is_near(ray.origin) && is_plain(ray.direction.x) && is_plain(ray.direction.y) &&
-           is_plain(ray.direction.z) && ray.t_min >= 0.0F && is_near(bounds.lower) &&
-           is_near(bounds.upper);
+           is_plain(ray.direction.z) && ray.t_min >= 0.0F && ray.t_min <= ray.t_max &&
+           is_near(bounds.lower) && is_near(bounds.upper);
 }
 
 // Of a ray that is_quick() in a tree's bounds. Never meets an empty child: its bounds are infinite

@@ -166,13 +166,14 @@ private:
     Entry* top_ = stack_.data();
 };
 
+// Runs a query through the tree, if the ray can hit anything.
 template <typename Query, typename Counter>
 void search(const WideBvh& tree, const Ray& ray, const ShearedRay& sheared, Query& query,
             Counter counter) noexcept {
     if (is_quick(ray, tree.bounds())) {
         const QuickRay quick(ray);
         Traversal(tree, quick, sheared, query, counter).run();
-    } else {
+    } else if (is_traceable(ray)) {
         const CarefulRay careful(ray, tree.bounds());
         Traversal(tree, careful, sheared, query, counter).run();
     }
@@ -180,7 +181,6 @@ void search(const WideBvh& tree, const Ray& ray, const ShearedRay& sheared, Quer
 
 template <typename Counter>
 bool find_closest(const WideBvh& tree, const Ray& ray, Hit& hit, Counter counter) noexcept {
-    if (!is_traceable(ray)) return false;
     const ShearedRay sheared(ray);
     ClosestHit query(ray, sheared);
     search(tree, ray, sheared, query, counter);
@@ -189,7 +189,6 @@ bool find_closest(const WideBvh& tree, const Ray& ray, Hit& hit, Counter counter
 
 template <typename Counter>
 bool find_any(const WideBvh& tree, const Ray& ray, Counter counter) noexcept {
-    if (!is_traceable(ray)) return false;
     const ShearedRay sheared(ray);
     AnyHit query(ray, sheared);
     search(tree, ray, sheared, query, counter);
@@ -205,7 +204,7 @@ constexpr TraceKernels kernels{
     },
     .first = [](const WideBvh& tree, const Ray& ray, std::span<Hit> hits,
                 const Hit* after) noexcept -> std::size_t {
-        if (!is_traceable(ray) || hits.empty()) return 0;
+        if (hits.empty()) return 0;
         const ShearedRay sheared(ray);
         FirstHits query(ray, sheared, hits, after);
         search(tree, ray, sheared, query, NoCounts{});
