@@ -97,11 +97,15 @@ struct QuickRay {
         far_at_0 = broadcast(by_axis(ray.origin, grow * inverse) - slack);
     }
 
-    static float slack_of(float product) noexcept { return 0x1.0p-21F * std::abs(product); }
+    // Never 0, so that a face which the ray starts on is not at -0.
+    static float slack_of(float product) noexcept {
+        return 0x1.0p-21F * std::abs(product) + 0x1.0p-100F;
+    }
 
     static Vec3f by_axis(Vec3f a, Vec3f b) noexcept { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 
-    // The children whose boxes the ray meets between enter and exit.
+    // The children whose boxes the ray meets between enter and exit, which are not negative: a
+    // negative distance to a near face does not raise enter, one to a far face is a miss.
     [[nodiscard]] BoxHits meet(const WideNode& node, Lanes enter, Lanes exit) const noexcept {
         const auto near = [&](std::size_t row, Lanes inverse, Lanes at_0) {
             return multiply_subtract(load_row(node, row), inverse, at_0);
@@ -109,13 +113,13 @@ struct QuickRay {
         const auto far = [&](std::size_t axis, std::size_t row, Lanes inverse, Lanes at_0) {
             return multiply_subtract(load_row(node, RowOffsets::far_of(axis, row)), inverse, at_0);
         };
-        enter = max(max(near(near_row.x, to_near.x, near_at_0.x),
-                        near(near_row.y, to_near.y, near_at_0.y)),
-                    max(near(near_row.z, to_near.z, near_at_0.z), enter));
-        exit = min(min(far(0, near_row.x, to_far.x, far_at_0.x),
-                       far(1, near_row.y, to_far.y, far_at_0.y)),
-                   min(far(2, near_row.z, to_far.z, far_at_0.z), exit));
-        return {less_equal(enter, exit), enter};
+        enter = bits_max(bits_max(near(near_row.x, to_near.x, near_at_0.x),
+                                  near(near_row.y, to_near.y, near_at_0.y)),
+                         bits_max(near(near_row.z, to_near.z, near_at_0.z), enter));
+        exit = bits_min(bits_min(far(0, near_row.x, to_far.x, far_at_0.x),
+                                 far(1, near_row.y, to_far.y, far_at_0.y)),
+                        bits_min(far(2, near_row.z, to_far.z, far_at_0.z), exit));
+        return {bits_less_equal(enter, exit), enter};
     }
 
     RowOffsets near_row;
