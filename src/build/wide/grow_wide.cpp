@@ -78,7 +78,8 @@ private:
             };
             const auto end = item.begin() + static_cast<std::ptrdiff_t>(count);
             for (auto next = item.begin(); next != end; ++next) {
-                std::rotate(std::upper_bound(item.begin(), next, *next, comes_before), next, next + 1);
+                std::rotate(std::upper_bound(item.begin(), next, *next, comes_before), next,
+                            next + 1);
             }
         }
     };
