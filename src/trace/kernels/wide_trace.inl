@@ -1,6 +1,5 @@
 // Traversal of the 8-wide tree: included once for each instruction set, in a namespace of its own,
-// after that set's lanes_*.inl and decide_*.inl, and wide_boxes.inl, wide_triangles.inl,
-// wide_queries.inl.
+// after that set's lanes_*.inl and a decide_*.inl.
 //
 // Of the children that a ray meets it goes on to the nearest, or an any-hit query to the likeliest to
 // be hit; the others wait on a stack. What single precision cannot decide is decided by
@@ -8,6 +7,13 @@
 // and watertight.
 //
 // Stack: an inner node leaves at most 7 entries, and no node is deeper than WideBvh::max_depth.
+
+// Each of these builds on those before.
+// clang-format off
+#include "trace/kernels/wide_boxes.inl"
+#include "trace/kernels/wide_triangles.inl"
+#include "trace/kernels/wide_queries.inl"
+// clang-format on
 
 constexpr std::size_t max_stack = (wide_width - 1) * (WideBvh::max_depth + 1);
 
