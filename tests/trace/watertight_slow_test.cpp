@@ -16,7 +16,7 @@ namespace {
 
 std::uint64_t ray_count() {
     const char* wanted = std::getenv("COPPICE_WATERTIGHT_RAYS");
-    return wanted == nullptr ? 1'000'000 : static_cast<std::uint64_t>(std::atof(wanted));
+    return wanted == nullptr ? 1'000'000 : static_cast<std::uint64_t>(std::strtod(wanted, nullptr));
 }
 
 void expect_watertight(const std::string& title, const TriangleMesh& mesh) {
