@@ -1,6 +1,7 @@
 # coppice bench: a table and a JSON file of what was measured.
 source "$(dirname "$0")/lib.bash"
 
+mkdir new
 coppice generate spheres --triangles 1000 -o balls.ply >/dev/null
 coppice generate terrain --triangles 300 -o hills.obj >/dev/null
 
