@@ -6,6 +6,7 @@
 #include "build_arguments.h"
 #include "command.h"
 #include "interrupts.h"
+#include "lab/exhibits.h"
 #include "lab/experiment.h"
 #include "lab/journal.h"
 #include "lab/named.h"
@@ -70,6 +71,9 @@ void add_what_to_run(CLI::App& parser, Request& request) {
                    {"--tolerance", "PERCENT",
                     "What a recommended sample's tree may cost more than the full one", "2"},
                    request.tolerance_percent);
+    add_switch(parser, "--no-pictures",
+               "Leave pictures and tree inspector out of the report: quicker",
+               [&options] { options.report_parts = lab::ReportParts::numbers; });
 }
 
 void add_how_to_build(CLI::App& parser, BuildOptions& build) {
@@ -100,11 +104,26 @@ std::string line_of(const lab::ExperimentProgress& progress) {
 
 std::vector<lab::OutputFile> make_files(const lab::ExperimentOptions& options,
                                         std::span<const lab::SceneResult> results,
+                                        std::span<const report::SceneExhibits> exhibits,
                                         const std::vector<std::string>& arguments) {
     const nlohmann::ordered_json document = lab::results_document(options, results, arguments);
-    return {{std::string(output_names[0]), lab::csv_text(results)},
-            {std::string(output_names[1]), document.dump(2) + '\n'},
-            {std::string(output_names[2]), report::make_report(nlohmann::json(document))}};
+    return {
+        {std::string(output_names[0]), lab::csv_text(results)},
+        {std::string(output_names[1]), document.dump(2) + '\n'},
+        {std::string(output_names[2]), report::make_report(nlohmann::json(document), exhibits)}};
+}
+
+/// What the report shows beside numbers, unless it is not wanted.
+std::vector<report::SceneExhibits> make_exhibits(const lab::ExperimentOptions& options,
+                                                 std::span<const lab::SceneResult> results,
+                                                 lab::ProgressLine& progress) {
+    std::vector<report::SceneExhibits> exhibits;
+    if (options.report_parts == lab::ReportParts::numbers) return exhibits;
+    for (const lab::SceneResult& scene : results) {
+        progress.show(scene.scene + ": pictures for the report");
+        exhibits.push_back(lab::make_exhibits(scene, options));
+    }
+    return exhibits;
 }
 
 /// Throws UsageError if options were given that are not those of the run to be resumed.
@@ -189,8 +208,10 @@ void run_journal(lab::Journal& journal, Output& output) {
         output.print(lab::result_table(scene, options.tolerance) + '\n');
     };
     const std::vector<lab::SceneResult> results = lab::run_experiment(options, observer);
+    const auto exhibits = make_exhibits(options, results, progress);
     progress.show("writing the report");
-    const std::vector<lab::OutputFile> files = make_files(options, results, journal.command());
+    const std::vector<lab::OutputFile> files =
+        make_files(options, results, exhibits, journal.command());
     {
         const DeferInterrupts all_or_none;
         lab::write_all(options.out, files);

@@ -118,6 +118,7 @@ void to_json(nlohmann::json& json, const ExperimentOptions& options) {
             {"bad_refines", build.split.bad_refines},
             {"clipping", name_of(build.split.clipping)},
             {"threads", build.threads > 0 ? build.threads : hardware_thread_count()},
+            {"pictures", options.report_parts == ReportParts::all},
             {"out", options.out.string()}};
 }
 
@@ -147,6 +148,8 @@ ExperimentOptions experiment_options_of(const nlohmann::json& json) {
     const bool is_clipped = json.at("clipping") == name_of(Clipping::perfect);
     build.split.clipping = is_clipped ? Clipping::perfect : Clipping::bounding_box;
     json.at("threads").get_to(build.threads);
+    const bool has_pictures = json.at("pictures").get<bool>();
+    options.report_parts = has_pictures ? ReportParts::all : ReportParts::numbers;
     options.out = json.at("out").get<std::string>();
     return options;
 }

@@ -80,3 +80,16 @@ inline unsigned less(Lanes a, Lanes b) noexcept {
     }
     return mask;
 }
+
+// What is faster as integers in a register is not here.
+inline Lanes bits_max(Lanes a, Lanes b) noexcept {
+    return max(a, b);
+}
+
+inline Lanes bits_min(Lanes a, Lanes b) noexcept {
+    return min(a, b);
+}
+
+inline unsigned bits_less_equal(Lanes a, Lanes b) noexcept {
+    return less_equal(a, b);
+}
