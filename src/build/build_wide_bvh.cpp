@@ -46,7 +46,8 @@ wide::Top build_top(std::span<const Reference> references, const Sample& sample,
 
 // Cells by centroids; without a sample one cell of everything.
 wide::Cells make_object_cells(TriangleMeshView mesh, const wide::Plan& plan, Run& run) {
-    wide::Cells cells{{}, wide::Arena(mesh.size(), run.meter), {}};
+    wide::Arena arena(mesh.size(), run.meter);
+    wide::Cells cells{{}, std::move(arena), {}};
     const std::span<Reference> references = cells.arena.first();
     begin_stage(run.progress, 0.15);
     wide::make_references(mesh, references);
