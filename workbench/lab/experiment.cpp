@@ -6,13 +6,14 @@
 #include "coppice/base/error.h"
 #include "coppice/base/parallel.h"
 #include "coppice/base/timer.h"
-#include "coppice/build/build_tree.h"
 #include "coppice/geom/point_cloud.h"
 
-#include "lab/protocol.h"
+#include "lab/builders.h"
 #include "lab/recommend.h"
 #include "lab/remaining_time.h"
 #include "lab/scene_names.h"
+#include "lab/scene_rays.h"
+#include "lab/tree_measurement.h"
 
 #include <fmt/format.h>
 
@@ -32,12 +33,17 @@ struct SceneFile {
     std::vector<PrimitiveKind> kinds;
     std::uint64_t vertex_count = 0;
     std::uint64_t triangle_count = 0;
+
+    [[nodiscard]] double count_of(PrimitiveKind kind) const {
+        return static_cast<double>(kind == PrimitiveKind::points ? vertex_count : triangle_count);
+    }
 };
 
 /// What all scenes of a run share.
 struct Run {
     const ExperimentOptions& options;
     const ExperimentObserver& observer;
+    std::vector<Builder> builders;
     RemainingTime remaining;
 
     void tell(const ExperimentProgress& progress) const {
@@ -52,11 +58,16 @@ struct Run {
         return std::count(options.percents.begin(), options.percents.end(), all_percent) > 0;
     }
 
+    /// The percentages that are rows, as asked for.
+    [[nodiscard]] std::vector<double> listed(const Builder& builder) const {
+        return builder.is_sampling ? options.percents : std::vector{all_percent};
+    }
+
     /// The percentages to build, the reference first.
-    [[nodiscard]] std::vector<double> build_order() const {
-        std::vector<double> order{all_percent};
-        std::copy_if(options.percents.begin(), options.percents.end(), std::back_inserter(order),
-                     [](double percent) { return percent != all_percent; });
+    [[nodiscard]] std::vector<double> build_order(const Builder& builder) const {
+        std::vector<double> order = listed(builder);
+        std::erase(order, all_percent);
+        order.insert(order.begin(), all_percent);
         return order;
     }
 };
@@ -88,124 +99,230 @@ std::vector<PrimitiveKind> kinds_for(const Run& run, const std::filesystem::path
     return {PrimitiveKind::points};
 }
 
+bool is_built_over(const Builder& builder, PrimitiveKind kind) {
+    return builder.form == TreeForm::kd || kind == PrimitiveKind::triangles;
+}
+
 void plan_work(Run& run, const SceneFile& scene) {
     for (const PrimitiveKind kind : scene.kinds) {
-        const auto count =
-            kind == PrimitiveKind::points ? scene.vertex_count : scene.triangle_count;
-        for (const std::string& protocol : run.options.protocols) {
-            for (const double percent : run.build_order()) {
-                run.remaining.plan(
-                    work_of_build({kind, protocol, percent, static_cast<double>(count)}) *
-                    run.options.seed_count);
+        const double count = scene.count_of(kind);
+        for (const Builder& builder : run.builders) {
+            if (!is_built_over(builder, kind)) continue;
+            for (const double percent : run.build_order(builder)) {
+                const double work = work_of_build({kind, builder.name, percent, count});
+                run.remaining.plan(work * run.options.seed_count *
+                                   static_cast<double>(builder.samplers.size()));
             }
         }
     }
 }
+
+/// The trees that differ in their rate only: one kind, builder, sampler and seed.
+struct TreeFamily {
+    PrimitiveKind kind;
+    const Builder& builder;
+    std::string sampler;
+    std::uint64_t seed;
+
+    [[nodiscard]] std::string step(double percent) const {
+        const std::string how = sampler.empty() ? std::string(builder.name)
+                                                : fmt::format("{}, {}", builder.name, sampler);
+        return fmt::format("{}, {}, {} %, seed {}", name_of(kind),
+                           builder.samplers.size() > 1 ? how : builder.name, percent, seed);
+    }
+};
 
 /// The trees of one scene.
 class SceneRun {
 public:
     SceneRun(Run& run, const SceneFile& scene, const TriangleMesh& mesh, SceneResult& result)
         : run_(run), scene_(scene), mesh_(mesh), result_(result) {
-        for (const double percent : run.options.percents) {
-            listed_.push_back(percent);
+        for (const PrimitiveKind kind : scene.kinds) {
+            for (const Builder& builder : run.builders) {
+                if (!is_built_over(builder, kind)) continue;
+                row_count_ += run.build_order(builder).size() * builder.samplers.size() *
+                              static_cast<std::size_t>(run.options.seed_count);
+            }
         }
-        row_count_ = scene.kinds.size() * run.options.protocols.size() *
-                     static_cast<std::size_t>(run.options.seed_count) * run.build_order().size();
     }
 
     void run_all() {
         for (const PrimitiveKind kind : scene_.kinds) {
-            for (const std::string& protocol : run_.options.protocols) {
-                for (int seed = 1; seed <= run_.options.seed_count; ++seed) {
-                    run_rates(kind, find_protocol(protocol), static_cast<std::uint64_t>(seed));
-                }
+            for (const Builder& builder : run_.builders) {
+                if (is_built_over(builder, kind)) run_builder(kind, builder);
             }
         }
     }
 
 private:
-    /// The rows of one kind, protocol and seed: built with the reference first, listed as asked.
-    void run_rates(PrimitiveKind kind, const Protocol& protocol, std::uint64_t seed) {
-        std::vector<ResultRow> rows(listed_.size());
-        BuildReport reference;
-        for (const double percent : run_.build_order()) {
-            const BuildReport report = build(kind, protocol, seed, percent);
-            if (percent == all_percent) reference = report;
-            const auto place = std::find(listed_.begin(), listed_.end(), percent);
-            if (place == listed_.end()) continue;
-            rows[static_cast<std::size_t>(place - listed_.begin())] = {
-                scene_.name,
-                std::string(name_of(kind)),
-                std::string(protocol.name),
-                percent,
-                seed,
-                report,
-                ratio(report.statistics.sah_cost, reference.statistics.sah_cost),
-                ratio(report.stages.wall_seconds(), reference.stages.wall_seconds())};
+    void run_builder(PrimitiveKind kind, const Builder& builder) {
+        for (const std::string& sampler : builder.samplers) {
+            for (int seed = 1; seed <= run_.options.seed_count; ++seed) {
+                run_rates({kind, builder, sampler, static_cast<std::uint64_t>(seed)});
+            }
         }
-        std::move(rows.begin(), rows.end(), std::back_inserter(result_.rows));
     }
 
-    BuildReport build(PrimitiveKind kind, const Protocol& protocol, std::uint64_t seed,
-                      double percent) {
-        std::string step =
-            fmt::format("{}, {}, {} %, seed {}", name_of(kind), protocol.name, percent, seed);
-        run_.tell({scene_.name, std::move(step), rows_done_, row_count_, run_.remaining.seconds()});
-        const BuildOptions options = protocol.options(run_.options.build, percent / 100.0, seed);
-        const bool is_points = kind == PrimitiveKind::points;
-        const auto planned =
-            static_cast<double>(is_points ? scene_.vertex_count : scene_.triangle_count);
-        const double work = work_of_build({kind, std::string(protocol.name), percent, planned});
-        const RowKey key{scene_.name, std::string(name_of(kind)), std::string(protocol.name),
-                         percent, seed};
-        if (const auto finished = find_finished(key, options)) {
-            run_.remaining.plan(-work);
-            if (is_points) result_.distinct_vertex_count = finished->primitive_count;
-            ++rows_done_;
-            return *finished;
+    /// The rows of one family: built with the reference first, listed as asked.
+    void run_rates(const TreeFamily& family) {
+        const std::vector<double> listed = run_.listed(family.builder);
+        std::vector<ResultRow> rows(listed.size());
+        std::vector<std::uint32_t> sample_counts;
+        ResultRow reference;
+        for (const double percent : run_.build_order(family.builder)) {
+            ResultRow row = row_of(family, percent, measure(family, percent));
+            if (percent == all_percent) reference = row;
+            row.relative_cost =
+                ratio(row.report.statistics.sah_cost, reference.report.statistics.sah_cost);
+            row.relative_time =
+                ratio(row.report.stages.wall_seconds(), reference.report.stages.wall_seconds());
+            const auto place = std::find(listed.begin(), listed.end(), percent);
+            if (place == listed.end() || is_known_sample(row, sample_counts)) continue;
+            rows[static_cast<std::size_t>(place - listed.begin())] = std::move(row);
         }
-        if (is_points) update_points(seed);
-        const PointCloudView points(points_);
-        const TriangleMeshView triangles = mesh_.view();
-        const Timer timer;
-        BuildReport report;
-        // The tree is freed here: only what it measured is kept.
-        static_cast<void>(build_kd_tree(
-            is_points ? PrimitiveSetView(points) : PrimitiveSetView(triangles), options, &report));
-        run_.remaining.finish(work, timer.seconds());
+        std::copy_if(std::make_move_iterator(rows.begin()), std::make_move_iterator(rows.end()),
+                     std::back_inserter(result_.rows),
+                     [](const ResultRow& row) { return !row.scene.empty(); });
+    }
+
+    /// Wide trees of small scenes are not sampled, and some have a least sample.
+    static bool is_known_sample(const ResultRow& row, std::vector<std::uint32_t>& known) {
+        if (row.form != TreeForm::wide) return false;
+        const std::uint32_t count = row.report.sample_count;
+        if (std::count(known.begin(), known.end(), count) > 0) return true;
+        known.push_back(count);
+        return false;
+    }
+
+    [[nodiscard]] ResultRow row_of(const TreeFamily& family, double percent,
+                                   TreeFigures figures) const {
+        ResultRow row;
+        row.scene = scene_.name;
+        row.primitives = name_of(family.kind);
+        row.protocol = family.builder.name;
+        row.sample_percent = percent;
+        row.seed = family.seed;
+        row.report = std::move(figures.report);
+        row.sampler = family.sampler;
+        row.form = family.builder.form;
+        row.unsampled_tests = figures.unsampled_tests;
+        row.rays = std::move(figures.rays);
+        return row;
+    }
+
+    TreeFigures measure(const TreeFamily& family, double percent) {
+        run_.tell(
+            {scene_.name, family.step(percent), rows_done_, row_count_, run_.remaining.seconds()});
+        const auto& [kind, builder, sampler, seed] = family;
+        const BuildOptions options =
+            options_of(builder, run_.options.build, sampler, percent, seed);
+        const double work = work_of_build({kind, builder.name, percent, scene_.count_of(kind)});
+        const RowKey key{
+            scene_.name, std::string(name_of(kind)), std::string(builder.name), percent, seed,
+            sampler};
         ++rows_done_;
-        if (run_.observer.on_row) run_.observer.on_row(key, report);
-        return report;
+        if (auto finished = find_finished(key, options)) {
+            run_.remaining.plan(-work);
+            const bool is_points = kind == PrimitiveKind::points;
+            if (is_points) result_.distinct_vertex_count = finished->report.primitive_count;
+            return *std::move(finished);
+        }
+        const PointCloudView points(points_of(kind, seed));
+        const TriangleMeshView triangles = mesh_.view();
+        const SceneRays* rays = rays_for(kind);
+        const Timer timer;
+        TreeFigures figures = measure_tree(
+            builder, options,
+            {kind == PrimitiveKind::points ? PrimitiveSetView(points) : PrimitiveSetView(triangles),
+             triangles, rays});
+        run_.remaining.finish(work, timer.seconds());
+        if (run_.observer.on_row) run_.observer.on_row(key, figures);
+        return figures;
     }
 
-    [[nodiscard]] std::optional<BuildReport> find_finished(const RowKey& key,
+    [[nodiscard]] std::optional<TreeFigures> find_finished(const RowKey& key,
                                                            const BuildOptions& options) const {
         if (!run_.observer.find_finished) return std::nullopt;
-        std::optional<BuildReport> report = run_.observer.find_finished(key);
-        if (report) report->options = options;
-        return report;
+        std::optional<TreeFigures> figures = run_.observer.find_finished(key);
+        if (figures) figures->report.options = options;
+        return figures;
     }
 
-    void update_points(std::uint64_t seed) {
-        if (points_seed_ == seed) return;
+    /// The points of a seed; those of the last one are kept, also while triangles are built over.
+    std::span<const Vec3f> points_of(PrimitiveKind kind, std::uint64_t seed) {
+        if (kind != PrimitiveKind::points || points_seed_ == seed) return points_;
         points_ = {};  // freed before the next are made
         run_with_threads(run_.options.build.threads,
                          [&] { points_ = shuffled_distinct_points(mesh_.vertices, seed); });
         points_seed_ = seed;
         result_.distinct_vertex_count = points_.size();
+        return points_;
+    }
+
+    /// The scene's rays, made when the first tree needs them.
+    const SceneRays* rays_for(PrimitiveKind kind) {
+        if (kind == PrimitiveKind::points || !result_.view) return nullptr;
+        if (!rays_) {
+            const ExperimentOptions& options = run_.options;
+            rays_.emplace(mesh_.view(), *result_.view, options.rays, options.build.threads);
+        }
+        return &*rays_;
     }
 
     Run& run_;
     const SceneFile& scene_;
     const TriangleMesh& mesh_;
     SceneResult& result_;
-    std::vector<double> listed_;
+    std::optional<SceneRays> rays_;
     std::vector<Vec3f> points_;  // of points_seed_
     std::uint64_t points_seed_ = 0;
     std::size_t rows_done_ = 0;
     std::size_t row_count_ = 0;
 };
+
+/// From where the rays of a scene come; nothing if there are none.
+std::optional<RayOptions> view_of(const Run& run, const SceneFile& scene,
+                                  const TriangleMesh& mesh) {
+    const ExperimentOptions& options = run.options;
+    const auto& kinds = scene.kinds;
+    const bool has_triangles =
+        std::find(kinds.begin(), kinds.end(), PrimitiveKind::triangles) != kinds.end();
+    if (options.rays.empty() || !has_triangles) return std::nullopt;
+    const Aabb box = bounds_of(mesh.vertices);
+    const render::Camera camera = render::frame_box(box, options.camera, 1.0);
+    return RayOptions{camera, render::place_light(camera, box), options.size, 1};
+}
+
+/// What of a scene's kinds the options cannot be applied to.
+void note_what_is_left_out(const Run& run, const SceneFile& scene) {
+    const bool has_triangles = std::find(scene.kinds.begin(), scene.kinds.end(),
+                                         PrimitiveKind::triangles) != scene.kinds.end();
+    if (has_triangles) return;
+    if (!run.options.rays.empty()) {
+        run.note(scene.name + ": points are not traced: there are no figures of rays");
+    }
+    for (const Builder& builder : run.builders) {
+        if (is_built_over(builder, PrimitiveKind::points)) continue;
+        run.note(fmt::format("{}: {} is built over triangles only: there are no rows of it",
+                             scene.name, builder.name));
+    }
+}
+
+/// Hits that differ from the reference's are our error, unless a peer finds them.
+std::vector<std::string> find_errors(const SceneResult& scene) {
+    std::vector<std::string> errors;
+    for (const ResultRow& row : scene.rows) {
+        for (const RayFigures& figures : row.rays) {
+            if (figures.mismatches == 0 || row.form == TreeForm::peer) continue;
+            errors.push_back(fmt::format(
+                "{}, {}, {} %, seed {}: {} of {} {} rays hit something else than those of the "
+                "reference ({})",
+                row.protocol, row.sampler, row.sample_percent, row.seed, figures.mismatches,
+                figures.rays, name_of(figures.kind), SceneRays::reference_method()));
+        }
+    }
+    return errors;
+}
 
 TriangleMesh load_scene(Run& run, SceneFile& scene, LoadReport& report) {
     run.tell({scene.name, "loading", 0, 0, run.remaining.seconds()});
@@ -217,6 +334,7 @@ void inspect(Run& run, SceneFile& scene, const TriangleMesh& mesh) {
     scene.kinds = kinds_for(run, scene.file, mesh);
     scene.vertex_count = mesh.vertices.size();
     scene.triangle_count = mesh.triangles.size();
+    note_what_is_left_out(run, scene);
     plan_work(run, scene);
 }
 
@@ -229,7 +347,12 @@ SceneResult run_scene(Run& run, const SceneFile& scene, const TriangleMesh& mesh
     result.vertex_count = scene.vertex_count;
     result.triangle_count = scene.triangle_count;
     result.bounds = bounds_of(mesh.vertices);
+    result.view = view_of(run, scene, mesh);
     SceneRun(run, scene, mesh, result).run_all();
+    result.errors = find_errors(result);
+    for (const std::string& error : result.errors) {
+        run.note("ERROR: " + scene.name + ": " + error);
+    }
     const std::vector<RateSummary> summaries = summarize_seeds(result.rows);
     result.recommended = recommend(summaries, run.options.tolerance);
     result.knees = find_knees(summaries);
@@ -241,7 +364,7 @@ SceneResult run_scene(Run& run, const SceneFile& scene, const TriangleMesh& mesh
 std::vector<SceneResult> run_experiment(const ExperimentOptions& options,
                                         const ExperimentObserver& observer) {
     check(options);
-    Run run{options, observer, {}};
+    Run run{options, observer, builders_of(options), {}};
     if (!run.lists_all_percent()) {
         run.note(
             "100 % is not among the rates; its tree is built all the same, as the reference "

@@ -58,7 +58,7 @@ std::vector<std::string> recommended_percents(const json& scene, const Series& s
     for (const std::string& protocol : series.protocols()) {
         for (const json& row : array_at(scene, "recommended")) {
             const std::optional<double> percent = number_at(row, "sample_percent");
-            if (text_at(row, "primitives") != series.kind || text_at(row, "protocol") != protocol ||
+            if (text_at(row, "primitives") != series.kind || series.line_of(row) != protocol ||
                 !percent) {
                 continue;
             }
