@@ -5,7 +5,7 @@ import pathlib
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-CODE_FOLDERS = ("include", "src", "workbench", "apps", "bench", "examples", "tests", "python", "dist")
+CODE_FOLDERS = ("include", "src", "workbench", "apps", "bench", "examples", "fuzz", "tests", "python", "dist")
 CODE_SUFFIXES = {".h", ".hpp", ".cpp", ".inl"}
 
 

@@ -4,6 +4,7 @@
 #include "command.h"
 #include "experiment_arguments.h"
 #include "interrupts.h"
+#include "lab/exhibits.h"
 #include "lab/experiment.h"
 #include "lab/experiment_record.h"
 #include "lab/journal.h"
@@ -38,13 +39,27 @@ std::string line_of(const lab::ExperimentProgress& progress) {
 }
 
 std::vector<lab::OutputFile> make_files(const lab::ExperimentRecord& record,
-                                        std::span<const lab::SceneResult> results) {
+                                        std::span<const lab::SceneResult> results,
+                                        std::span<const report::SceneExhibits> exhibits) {
     const lab::ExperimentOptions& options = record.options;
     const nlohmann::ordered_json document = lab::results_document(options, results, record.command);
     return {{std::string(output_names[0]), lab::csv_text(results, options.rays)},
             {std::string(output_names[1]), document.dump(2) + '\n'},
-            {std::string(output_names[2]), report::make_report(nlohmann::json(document))},
+            {std::string(output_names[2]), report::make_report(nlohmann::json(document), exhibits)},
             {std::string(output_names[3]), nlohmann::json(record).dump(2) + '\n'}};
+}
+
+/// What the report shows beside numbers, unless it is not wanted.
+std::vector<report::SceneExhibits> make_exhibits(const lab::ExperimentOptions& options,
+                                                 std::span<const lab::SceneResult> results,
+                                                 lab::ProgressLine& progress) {
+    std::vector<report::SceneExhibits> exhibits;
+    if (options.report_parts == lab::ReportParts::numbers) return exhibits;
+    for (const lab::SceneResult& scene : results) {
+        progress.show(scene.scene + ": pictures for the report");
+        exhibits.push_back(lab::make_exhibits(scene, options));
+    }
+    return exhibits;
 }
 
 /// Throws UsageError if options were given that are not those of the run to be resumed.
@@ -125,8 +140,9 @@ void run_journal(lab::Journal& journal, Output& output) {
         if (!rays.empty()) output.print(rays + '\n');
     };
     const std::vector<lab::SceneResult> results = lab::run_experiment(options, observer);
+    const auto exhibits = make_exhibits(options, results, progress);
     progress.show("writing the report");
-    const std::vector<lab::OutputFile> files = make_files(journal.record(), results);
+    const std::vector<lab::OutputFile> files = make_files(journal.record(), results, exhibits);
     {
         const DeferInterrupts all_or_none;
         lab::write_all(options.out, files);

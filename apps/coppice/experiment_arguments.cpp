@@ -106,6 +106,9 @@ void add_what_to_run(CLI::App& parser, ExperimentRequest& request) {
                    {"--tolerance", "PERCENT",
                     "What a recommended sample's tree may cost more than the full one", "2"},
                    request.tolerance_percent);
+    add_switch(parser, "--no-pictures",
+               "Leave pictures and tree inspector out of the report: quicker",
+               [&options] { options.report_parts = lab::ReportParts::numbers; });
 }
 
 void add_how_to_build(CLI::App& parser, BuildOptions& build) {

@@ -12,25 +12,34 @@
 namespace coppice {
 namespace {
 
-constexpr std::array all_isas{Isa::scalar, Isa::avx2};
+constexpr std::array all_isas{Isa::scalar, Isa::sse42, Isa::avx2};
 
-bool has_avx2() noexcept {
+// How many of all_isas this processor has: each has those before.
+std::size_t count_isas() noexcept {
 #if defined(__x86_64__)
-    return static_cast<bool>(__builtin_cpu_supports("avx2")) &&
-           static_cast<bool>(__builtin_cpu_supports("fma"));
+    if (__builtin_cpu_supports("sse4.2") == 0) return 1;
+    return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0 ? 3 : 2;
 #else
-    return false;
+    return 1;
 #endif
 }
 
 }  // namespace
 
 std::string_view name_of(Isa isa) noexcept {
-    return isa == Isa::avx2 ? "avx2" : "scalar";
+    switch (isa) {
+        case Isa::scalar:
+            return "scalar";
+        case Isa::sse42:
+            return "sse4.2";
+        case Isa::avx2:
+            return "avx2";
+    }
+    return "";
 }
 
 std::span<const Isa> available_isas() noexcept {
-    static const std::size_t count = has_avx2() ? 2 : 1;
+    static const std::size_t count = count_isas();
     return std::span(all_isas).first(count);
 }
 

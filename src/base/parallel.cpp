@@ -1,6 +1,9 @@
 #include "coppice/base/parallel.h"
 
+#include "base/fork_join.h"
+
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
@@ -16,20 +19,35 @@ int hardware_thread_count() noexcept {
 }
 
 void run_with_threads(int thread_count, const std::function<void()>& work) {
-    // oneTBB has no more threads than the hardware, and prints a warning when asked for more.
+    // oneTBB has no more threads than the hardware, unless a program allows it, and prints a
+    // warning when asked for more.
     const int available = hardware_thread_count();
-    tbb::task_arena arena(thread_count > 0 ? std::min(thread_count, available) : available);
-    arena.execute(work);
+    const auto allowed = static_cast<int>(
+        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+    tbb::task_arena arena(thread_count > 0 ? std::min(thread_count, std::max(available, allowed))
+                                           : available);
+    ForkJoin all;
+    arena.execute([&] {
+        const ForkJoin::Task task(all);
+        work();
+    });
 }
 
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second) {
-    tbb::parallel_invoke(first, second);
+    ForkJoin both;
+    const auto run = [&both](const std::function<void()>& work) {
+        const ForkJoin::Task task(both);
+        work();
+    };
+    tbb::parallel_invoke([&] { run(first); }, [&] { run(second); });
 }
 
 void parallel_for_chunks(std::size_t count, std::size_t chunk_size,
                          const std::function<void(std::size_t, std::size_t)>& body) {
     const std::size_t chunk_count = (count + chunk_size - 1) / chunk_size;
+    ForkJoin all;
     tbb::parallel_for(std::size_t{0}, chunk_count, [&](std::size_t chunk) {
+        const ForkJoin::Task task(all);
         const std::size_t begin = chunk * chunk_size;
         body(begin, std::min(begin + chunk_size, count));
     });

@@ -1,9 +1,14 @@
+// Assimp runs in a process of its own (docs/decisions/0007): on damaged files it crashes, or writes
+// where it must not. What comes back is checked as if it came from a stranger.
+
 #include "io/load_scene_file.h"
 
 #include "coppice/base/error.h"
 
 #include "io/assimp_log.h"
+#include "io/import_answer.h"
 #include "io/input_file.h"
+#include "io/isolate.h"
 #include "io/text.h"
 
 #include <assimp/Importer.hpp>
@@ -144,16 +149,10 @@ std::string format_name(const aiScene& scene) {
     return name.C_Str();
 }
 
-}  // namespace
-
-bool is_scene_file_extension(const std::string& extension) {
-    return Assimp::Importer().IsExtensionSupported(extension);
-}
-
-LoadedMesh load_scene_file(const std::filesystem::path& file, MeshAttributes* attributes) {
-    LoadedMesh loaded;
-    loaded.report.file = InputFile(file).name();  // refuses what is no file or empty
-    AssimpLog log;
+/// Called in a process of its own.
+void import_scene(const std::filesystem::path& file, AssimpLog& log, ImportAnswer& answer,
+                  bool with_attributes) {
+    LoadedMesh& loaded = answer.loaded;
     Assimp::Importer importer;
     // No post-processing: vertices keep their order, and polygons are cut as in other formats.
     const aiScene* const scene = importer.ReadFile(file.string(), 0);
@@ -166,9 +165,57 @@ LoadedMesh load_scene_file(const std::filesystem::path& file, MeshAttributes* at
     loaded.report.format = format_name(*scene);
     loaded.report.warning_count = log.message_count();
     loaded.report.warnings = log.messages();
-    append_scene(loaded, *scene, attributes);
+    append_scene(loaded, *scene, with_attributes ? &answer.attributes : nullptr);
     check_has_triangles(loaded);
-    return loaded;
+}
+
+/// A legal file takes Assimp far less of either.
+IsolationLimits limits_for(std::uint64_t file_bytes) {
+    constexpr std::uint64_t megabyte = std::uint64_t{1} << 20;
+    return {.memory_bytes = 1024 * megabyte + 500 * file_bytes,
+            .cpu_seconds = 20 + 20 * (file_bytes / megabyte)};
+}
+
+std::string import_isolated(const std::filesystem::path& file, std::uint64_t file_bytes,
+                            bool with_attributes) {
+    AssimpLog log;  // here, since the copy of this process cannot wait for another's
+    const auto work = [&] {
+        ImportAnswer answer;
+        answer.loaded.report.file = file.string();
+        try {
+            import_scene(file, log, answer, with_attributes);
+        } catch (const Error& error) {
+            answer.set_error(error);
+        } catch (const std::bad_alloc&) {
+            answer.set_error(file_error(ErrorCode::limit, file.string(),
+                                        "Assimp takes too much memory for a file of this size"));
+        } catch (const std::exception& error) {
+            answer.set_error(
+                file_error(ErrorCode::parse, file.string(), "Assimp: " + one_line(error.what())));
+        }
+        return to_bytes(answer);
+    };
+    try {
+        IsolatedResult result = run_isolated(work, limits_for(file_bytes));
+        if (result.failure.empty()) return std::move(result.bytes);
+        throw Error(ErrorCode::parse, "Assimp " + result.failure + ": the file is damaged");
+    } catch (const Error& error) {
+        throw file_error(error.code(), file.string(), error.what());
+    }
+}
+
+}  // namespace
+
+bool is_scene_file_extension(const std::string& extension) {
+    return Assimp::Importer().IsExtensionSupported(extension);
+}
+
+LoadedMesh load_scene_file(const std::filesystem::path& file, MeshAttributes* attributes) {
+    const InputFile input(file);  // refuses what is no file or empty
+    const std::string bytes = import_isolated(file, input.stored_bytes(), attributes != nullptr);
+    ImportAnswer answer = import_answer_from(bytes, input.name());
+    if (attributes != nullptr) *attributes = std::move(answer.attributes);
+    return std::move(answer.loaded);
 }
 
 }  // namespace coppice

@@ -1,8 +1,8 @@
 #include "coppice/query/mesh_search.h"
 
-#include "query/batch.h"
 #include "query/kernels/mesh_search.h"
 #include "query/limit.h"
+#include "query/rows.h"
 
 #include <algorithm>
 #include <utility>

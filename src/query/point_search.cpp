@@ -2,9 +2,9 @@
 
 #include "coppice/base/error.h"
 
-#include "query/batch.h"
 #include "query/kernels/point_search.h"
 #include "query/limit.h"
+#include "query/rows.h"
 
 #include <fmt/format.h>
 

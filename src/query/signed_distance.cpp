@@ -1,6 +1,6 @@
 #include "coppice/query/signed_distance.h"
 
-#include "query/batch.h"
+#include "base/batch.h"
 #include "query/closed_surface.h"
 
 #include <limits>

@@ -1,6 +1,6 @@
 #include "coppice/trace/wide_tracer.h"
 
-#include "trace/batch.h"
+#include "base/batch.h"
 #include "trace/hit_list.h"
 #include "trace/kernels/wide_trace.h"
 
@@ -44,15 +44,17 @@ std::uint64_t WideTracer::count_hits(const Ray& ray) const noexcept {
 }
 
 void WideTracer::intersect(std::span<const Ray> rays, std::span<Hit> hits, int threads) const {
-    trace::for_each_ray(rays.size(), hits.size(), threads, [&](std::size_t i) {
+    require_room("intersect", rays.size(), hits.size());
+    for_each_query(rays.size(), threads, [&](std::size_t i) {
         if (!kernels_->closest(tree_, rays[i], hits[i])) hits[i] = Hit{};
     });
 }
 
 void WideTracer::occluded(std::span<const Ray> rays, std::span<bool> is_occluded,
                           int threads) const {
-    trace::for_each_ray(rays.size(), is_occluded.size(), threads,
-                        [&](std::size_t i) { is_occluded[i] = kernels_->any(tree_, rays[i]); });
+    require_room("occluded", rays.size(), is_occluded.size());
+    for_each_query(rays.size(), threads,
+                   [&](std::size_t i) { is_occluded[i] = kernels_->any(tree_, rays[i]); });
 }
 
 }  // namespace coppice

@@ -2,7 +2,7 @@
 source "$(dirname "$0")/lib.bash"
 
 coppice generate spheres --triangles 300 -o balls.ply >/dev/null
-coppice experiment balls.ply --rates 100,10 --protocols fixed --primitives triangles --out a >/dev/null
+coppice experiment balls.ply --no-pictures --rates 100,10 --protocols fixed --primitives triangles --out a >/dev/null
 python3 - <<'PY'
 import json
 results = json.load(open("a/results.json"))

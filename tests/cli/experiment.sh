@@ -18,6 +18,9 @@ expect_equal "$(ls -A out/balls)" $'experiment.json\nreport.html\nresults.csv\nr
 expect_equal "$(head -1 out/balls/results.csv)" "$header"
 expect_equal "$(wc -l <out/balls/results.csv)" 67
 expect_equal "$(tr -d '\n -~' <<<"$stdout")" '' # no escape codes
+# The report's pictures: the scene, heat maps of two trees and their difference; the trees in boxes.
+expect_equal "$(grep -o 'src="data:image/png;base64,iVBOR' out/balls/report.html | wc -l)" 4
+grep -q 'data-inspector="scene-1-inspector-data"' out/balls/report.html || fail 'no tree inspector'
 expect_stdout '^balls, points: '
 expect_stdout '^balls, triangles: '
 expect_stdout '^\* recommended: the smallest sample whose cost is within 2 % of the full tree'
@@ -27,7 +30,7 @@ for file in results.csv results.json report.html experiment.json; do
 done
 
 # Several scenes and lists; rates with and without a percent sign, in the order given, each once.
-expect_exit 0 coppice experiment balls.ply scenes/hills.obj.gz --primitives points,points \
+expect_exit 0 coppice experiment balls.ply scenes/hills.obj.gz --no-pictures --primitives points,points \
     --protocols grown --protocols fixed --rates 0.5,100% --rates 20,100 --seeds 2 --split median \
     --traversal-cost 15 --intersection-cost 20 --empty-bonus 0.2 --max-depth 12 --max-leaf 4 \
     --bad-refines 2 --no-clip --threads 1 --out some/where
@@ -65,21 +68,21 @@ print([len(scene["recommended"]) for scene in results["scenes"]], results["comma
 PY
 )" "$(tr -d '\n' <<<"{'bad_refines': 2, 'clipping': 'bounding_box', 'empty_bonus': 0.2, \
 'intersection_cost': 20.0, 'max_depth': 12, 'max_leaf': 4, 'methods': [], 'out': 'some/where', \
-'primitives': ['points'], 'protocols': ['grown', 'fixed'], \
+'pictures': False, 'primitives': ['points'], 'protocols': ['grown', 'fixed'], \
 'rates': [0.5, 100.0, 20.0], 'rays': [], 'samplers': ['uniform'], 'seeds': 2, 'split': 'median', 'threads': 1, 'tolerance': 2.0, 'traversal_cost': 15.0}")
 [2, 2] experiment"
 
 # The reference tree is built even if it is not asked for, and this is said.
-expect_exit 0 coppice experiment balls.ply --rates 10 --primitives triangles --out ten
+expect_exit 0 coppice experiment balls.ply --no-pictures --rates 10 --primitives triangles --out ten
 expect_stderr_one_line
 expect_stderr '^coppice: note: 100 % '
 expect_equal "$(wc -l <ten/results.csv)" 4
 
 # The same run gives the same trees, for any number of threads; old results are replaced.
 stable() { cut -d, -f1-17,24-25 "$1"; } # all but the times
-coppice experiment balls.ply --rates 100,10 --seeds 2 --threads 1 --out twice >/dev/null
+coppice experiment balls.ply --no-pictures --rates 100,10 --seeds 2 --threads 1 --out twice >/dev/null
 first=$(stable twice/results.csv)
-coppice experiment balls.ply --rates 100,10 --seeds 2 --threads 2 --out twice >/dev/null
+coppice experiment balls.ply --no-pictures --rates 100,10 --seeds 2 --threads 2 --out twice >/dev/null
 expect_equal "$(stable twice/results.csv)" "$first"
 expect_equal "$(ls -A twice | wc -l)" 4
 
@@ -105,5 +108,5 @@ done
 
 # A name that CSV must quote.
 cp one.obj 'a, "b".obj'
-expect_exit 0 coppice experiment 'a, "b".obj' --rates 100 --out quoted
+expect_exit 0 coppice experiment 'a, "b".obj' --no-pictures --rates 100 --out quoted
 expect_equal "$(sed -n 2p quoted/results.csv | cut -c1-22)" '"a, ""b""",points,fixe'

@@ -4,7 +4,7 @@ source "$(dirname "$0")/lib.bash"
 coppice generate terrain --triangles 20000 -o hills.ply >/dev/null
 
 export TERM=xterm
-run() { expect_exit "$1" python3 "$tests/terminal.py" "$2" "$COPPICE" experiment hills.ply "${@:3}"; }
+run() { expect_exit "$1" python3 "$tests/terminal.py" "$2" "$COPPICE" experiment hills.ply --no-pictures "${@:3}"; }
 wipe=$'\r\e[K'
 
 run 0 seen --rates 100,10 --out done

@@ -4,8 +4,8 @@ source "$(dirname "$0")/lib.bash"
 coppice generate spheres --triangles 3000 -o balls.ply >/dev/null
 expect_exit 0 coppice experiment balls.ply --protocols fixed,scaled,grown --rates 100,10 \
     --methods exact,binned,sampled,fast --samplers uniform,weighted --rays primary,shadow,axis \
-    --size 32 --eye=-0.5,2,3 --out lab
-expect_stderr_empty
+    --size 32 --eye=-0.5,2,3 --no-pictures --out lab
+expect_stderr "^coppice: note: balls: fast has the same sample at 10 % as at another rate"
 expect_stdout '^grown, weighted sample: '
 expect_stdout '^binned: '
 expect_stdout '^balls, rays through each tree of triangles \(points are not traced\): 1024 primary'
@@ -79,10 +79,10 @@ expect_stderr '^coppice: lab/results.csv: is not the record of an experiment'
 
 # Points are not traced, and no wide trees are built over them.
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >one.obj
-expect_exit 0 coppice experiment one.obj --primitives points --methods fast,exact --rays all --out p
+expect_exit 0 coppice experiment one.obj --primitives points --methods fast,exact --rays all --no-pictures --out p
 expect_stderr 'one: points are not traced'
 expect_stderr 'one: fast is built over triangles only'
-expect_exit 0 coppice experiment one.obj --rates 100 --rays all --size 4 --out one
+expect_exit 0 coppice experiment one.obj --rates 100 --rays all --size 4 --no-pictures --out one
 expect_stdout 'rank-deficient|not defined'
 
 # Wrong use.

@@ -2,7 +2,7 @@
 source "$(dirname "$0")/lib.bash"
 
 coppice generate terrain --triangles 20000 -o hills.ply >/dev/null
-options=(--rates 50,1 --seeds 2)
+options=(--no-pictures --rates 50,1 --seeds 2)
 stable() { cut -d, -f1-17,24-25 "$1"; } # all but the times
 
 coppice experiment hills.ply "${options[@]}" --out whole >/dev/null 2>&1
@@ -22,7 +22,7 @@ printf '{"scene": "hil' >>killed/unfinished.jsonl
 cp -r killed again
 
 # Options that are not those of the run are refused.
-expect_exit 2 coppice experiment hills.ply --rates 50,2 --seeds 2 --resume killed
+expect_exit 2 coppice experiment hills.ply --no-pictures --rates 50,2 --seeds 2 --resume killed
 expect_stderr '^coppice: --resume: the run in killed was begun with rates \[50.0,1.0\], not \[50.0,2.0\]; '
 expect_exit 2 coppice experiment --seeds 2 --resume killed
 expect_stderr '^coppice: --seeds: --resume goes on with the options '

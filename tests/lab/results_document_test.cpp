@@ -99,6 +99,7 @@ TEST_F(ResultsDocument, HasEveryOption) {
                         {"bad_refines", 3},
                         {"clipping", "perfect"},
                         {"threads", 1},
+                        {"pictures", true},
                         {"out", "out/x"}};
     EXPECT_EQ(nlohmann::json(options), nlohmann::json(expected));
 }

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace coppice::render {
 
@@ -89,6 +90,13 @@ TEST(FrameBox, TakesAnEmptyBoxForAPoint) {
     const Camera camera = frame_box(Aabb{}, {}, 1.0);
     EXPECT_EQ(camera.look_at, Vec3f{});
     EXPECT_NO_THROW(CameraRays(camera, 4, 4));
+}
+
+TEST(FrameBox, SaysThatAnEyeOutsideWouldBeBeyondFloat) {
+    constexpr float utmost = std::numeric_limits<float>::max();
+    const Aabb box{{-utmost, 0.0F, 0.0F}, {utmost, 1.0F, 1.0F}};
+    EXPECT_THROW((void)frame_box(box, {}, 1.0), Error);
+    EXPECT_NO_THROW((void)frame_box(box, {.eye = Vec3f{}}, 1.0));
 }
 
 TEST(PlaceLight, IsOutsideOrInsideWithTheEye) {

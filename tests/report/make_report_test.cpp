@@ -3,6 +3,7 @@
 #include "coppice/base/error.h"
 
 #include "report/assets.h"
+#include "report/exhibits_fixture.h"
 #include "report/results_fixture.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +60,7 @@ std::map<std::string, json> charts_of(const std::string& page) {
 
 // The first tag that is closed in the wrong place or not at all, or "".
 std::string find_unbalanced_tag(const std::string& markup) {
-    const std::set<std::string> has_no_end{"meta", "link", "br", "img", "!doctype"};
+    const std::set<std::string> has_no_end{"meta", "link", "br", "img", "input", "!doctype"};
     std::vector<std::string> open;
     const std::regex tag("<(/?)([!a-z0-9]+)[^>]*>");
     for (std::sregex_iterator at(markup.begin(), markup.end(), tag), end; at != end; ++at) {
@@ -103,7 +104,7 @@ TEST(MakeReport, CarriesTheChartLibrariesWhole) {
     EXPECT_TRUE(contains(page, std::string(assets.vega_lite.substr(0, 2000))));
     EXPECT_TRUE(contains(page, std::string(assets.vega_embed.substr(0, 2000))));
     for (const std::string_view script :
-         {assets.vega, assets.vega_lite, assets.vega_embed, assets.page_js}) {
+         {assets.vega, assets.vega_lite, assets.vega_embed, assets.page_js, assets.inspector_js}) {
         EXPECT_GT(script.size(), 1000U);
         EXPECT_EQ(script.find("<!--"), std::string_view::npos);  // would hide the page's end
     }
@@ -231,6 +232,37 @@ TEST(MakeReport, TakesResultsThatSayLittle) {
     EXPECT_EQ(find_unbalanced_tag(markup_of(page)), "");
     EXPECT_TRUE(charts_of(page).contains("a-points-cost"));
     EXPECT_TRUE(contains(page, "not recorded"));
+}
+
+TEST(MakeReport, ShowsExhibitsInsideThePage) {
+    const std::vector<SceneExhibits> exhibits{test::make_exhibits()};
+    const std::string page = make_report(make_results({.scenes = {"a", "b"}}), exhibits);
+    const std::string markup = markup_of(page);
+    EXPECT_EQ(find_unbalanced_tag(markup), "");
+    std::size_t image_count = 0;
+    for (std::size_t at = markup.find("src="); at != std::string::npos;
+         at = markup.find("src=", at + 1)) {
+        EXPECT_TRUE(markup.substr(at).starts_with("src=\"data:image/png;base64,")) << at;
+        ++image_count;
+    }
+    EXPECT_EQ(image_count, 4U);
+    // The picture stands on the first screen, before the first chart.
+    EXPECT_LT(markup.find("src="), markup.find("class=\"plot\""));
+    for (const char* text :
+         {"data-inspector=\"scene-1-inspector-data\"", "coppice render --eye=1,2,3",
+          "takes 20.0 steps on average in the full tree and 25.0 in the other, 1.25 times"}) {
+        EXPECT_TRUE(contains(markup, text)) << text;
+    }
+    EXPECT_TRUE(contains(page, std::string(embedded_assets().inspector_js.substr(0, 2000))));
+}
+
+TEST(MakeReport, SaysWhichExhibitsAreMissing) {
+    std::vector<SceneExhibits> exhibits(1);
+    exhibits.front().missing = "Not <b> today.";
+    const std::string page = make_report(make_results(), exhibits);
+    EXPECT_TRUE(contains(page, "Not &lt;b&gt; today."));
+    EXPECT_FALSE(contains(page, std::string(embedded_assets().inspector_js.substr(0, 2000))));
+    EXPECT_FALSE(contains(markup_of(page), "data-inspector"));
 }
 
 TEST(MakeReport, RefusesWhatIsNoResultsDocument) {

@@ -21,14 +21,29 @@ std::string comparison_of(const json& results) {
     return make_thesis_comparison(collect_series(results).front(), thesis_tables());
 }
 
-TEST(Answer, NamesEveryRecommendationItsRuleAndItsSource) {
+TEST(Answer, IsTheSmallestSampleOfTrianglesAndWhatItCosts) {
     json results = make_results({.protocols = {"fixed", "grown"}});
-    results["scenes"][0]["recommended"][1]["sample_percent"] = 1;
+    json& recommended = results["scenes"][0]["recommended"];  // two of points, two of triangles
+    recommended[0]["sample_percent"] = 1;
+    recommended[3]["sample_percent"] = 10;
     const std::string answer = answer_of(results);
-    EXPECT_THAT(answer, HasSubstr("Build on <strong>50\u00a0%</strong> (fixed leaf limit) and "
-                                  "<strong>1\u00a0%</strong> (leaves grown on) of the points; on "
-                                  "<strong>50\u00a0%</strong> (fixed leaf limit)"));
+    EXPECT_THAT(answer, HasSubstr("Build on <strong>10\u00a0%</strong> of the triangles (leaves "
+                                  "grown on): the tree costs <strong>1.02 times</strong> as much "
+                                  "as the full one and takes <strong>25.0\u00a0%</strong> of its "
+                                  "build time."));
     EXPECT_THAT(answer, HasSubstr("Rule: Kneedle, Satopaa et al. 2011."));
+}
+
+TEST(Answer, TakesTheCheaperTreeOfEqualSamplesAndPointsWithoutTriangles) {
+    const json results = make_results({.kinds = {"points"}, .protocols = {"fixed", "grown"}});
+    EXPECT_THAT(answer_of(results),
+                HasSubstr("50\u00a0%</strong> of the points (leaves grown on)"));
+}
+
+TEST(Answer, SaysThatNoSmallerSampleWillDo) {
+    json results = make_results({.kinds = {"triangles"}, .protocols = {"fixed"}});
+    results["scenes"][0]["recommended"][0]["sample_percent"] = 100;
+    EXPECT_THAT(answer_of(results), HasSubstr("100\u00a0%</strong> of the triangles: no smaller"));
 }
 
 TEST(Answer, SaysWhenThereIsNone) {

@@ -23,9 +23,11 @@ struct Expected {
     explicit Expected(TriangleMeshView mesh) {
         constexpr std::uint64_t seed = 41;
         const Aabb box = bounds_of(mesh.vertices());
-        const render::Camera camera = render::frame_box(box, {}, 1.0);
         // No camera stands outside a scene that fills the range of float.
-        if (box.extent(box.longest_axis()) < 1e38) rays = lab::primary_rays(camera, 7);
+        render::CameraWish wish;
+        if (box.extent(box.longest_axis()) > 1e38) wish = {.eye = Vec3f{}, .look_at = box.upper};
+        const render::Camera camera = render::frame_box(box, wish, 1.0);
+        rays = lab::primary_rays(camera, 7);
         add_hits(mesh);
         const std::vector<Hit> primary = hits;
         const std::span<const Ray> seen = std::span(rays).first(primary.size());

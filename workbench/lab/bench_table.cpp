@@ -153,7 +153,8 @@ std::string ratio_table(std::span<const BenchRow> rows) {
         text += ratio_block(rows, builder, "embree-high");
     }
     if (has_method(rows, "embree-robust")) {
-        text += (text.empty() ? "" : "\n") + ratio_block(rows, builder, "embree-robust");
+        if (!text.empty()) text += '\n';
+        text += ratio_block(rows, builder, "embree-robust");
     }
     return text;
 }

@@ -1,46 +1,18 @@
 // Confidence in the mean of a few seeds. Student's t rather than the bootstrap: of three to ten
 // values there is not enough to draw from again, and ratios of costs scatter much like a normal
-// distribution. The distribution function is a finite sum for whole degrees of freedom; its
-// quantile is found by bisection. O(degrees) a step. Source: [Student1908];
-// [AbramowitzStegun1964] 26.7.3 and 26.7.4 for the sums.
+// distribution. Source: [Student1908].
 
 #include "lab/confidence.h"
 
+#include <boost/math/distributions/students_t.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace coppice::lab {
 
-namespace {
-
-/// The probability that |T| is less than t.
-double probability_within(double t, int degrees) {
-    const double angle = std::atan(t / std::sqrt(static_cast<double>(degrees)));
-    const double cosine_squared = std::cos(angle) * std::cos(angle);
-    const bool is_odd = degrees % 2 == 1;
-    // 1 + 1/2 c^2 + (1 3)/(2 4) c^4 + ... for even degrees, c + 2/3 c^3 + ... for odd ones.
-    double term = is_odd ? std::cos(angle) : 1.0;
-    double sum = degrees == 1 ? 0.0 : term;
-    for (int i = is_odd ? 3 : 2; i < degrees; i += 2) {
-        term *= cosine_squared * (i - 1) / i;
-        sum += term;
-    }
-    const double scaled = std::sin(angle) * sum;
-    return is_odd ? (angle + scaled) * 2.0 / std::numbers::pi : scaled;
-}
-
-}  // namespace
-
 double t_quantile(int degrees) {
-    constexpr double confidence = 0.95;
-    double low = 1.9;  // it is 1.96 for a normal distribution, and 12.7 for one degree
-    double high = 13.0;
-    for (int step = 0; step < 60; ++step) {
-        const double middle = 0.5 * (low + high);
-        (probability_within(middle, degrees) < confidence ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
+    return boost::math::quantile(boost::math::students_t(degrees), 0.975);
 }
 
 std::optional<Interval> mean_interval(std::span<const double> values) {

@@ -180,6 +180,7 @@ void to_json(json& to, const ExperimentOptions& options) {
           {"bad_refines", build.split.bad_refines},
           {"clipping", name_of(build.split.clipping)},
           {"threads", build.threads > 0 ? build.threads : hardware_thread_count()},
+          {"pictures", options.report_parts == ReportParts::all},
           {"out", options.out.string()}};
     if (!options.rays.empty()) put_view(options, to);
 }
@@ -219,6 +220,8 @@ ExperimentOptions experiment_options_of(const json& from) {
     const bool is_clipped = from.at("clipping") == name_of(Clipping::perfect);
     build.split.clipping = is_clipped ? Clipping::perfect : Clipping::bounding_box;
     from.at("threads").get_to(build.threads);
+    const bool has_pictures = from.at("pictures").get<bool>();
+    options.report_parts = has_pictures ? ReportParts::all : ReportParts::numbers;
     options.out = from.at("out").get<std::string>();
     return options;
 }

@@ -34,6 +34,12 @@ struct PrimitiveKindEntry {
 /// The stable lower-case name, e.g. "points".
 [[nodiscard]] std::string_view name_of(PrimitiveKind kind) noexcept;
 
+/// What the report of an experiment has.
+enum class ReportParts {
+    all,
+    numbers  ///< no pictures and no tree inspector, which take two builds a scene
+};
+
 /// What an experiment runs: every scene with every kind, protocol or method, sampler, seed 1 ..
 /// seed_count and rate.
 struct ExperimentOptions {
@@ -57,6 +63,7 @@ struct ExperimentOptions {
     /// What all builds share. Each build's sampler, rate, seed, leaf limit and growth are set by
     /// its protocol; methods take only costs and threads from here.
     BuildOptions build;
+    ReportParts report_parts = ReportParts::all;
     std::filesystem::path out;  ///< the folder for the results; recorded, not written to by the run
 };
 

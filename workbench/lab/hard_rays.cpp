@@ -6,6 +6,8 @@
 
 #include "coppice/base/rng.h"
 
+#include "render/vector_math.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -33,12 +35,8 @@ private:
     std::uint64_t counter_;
 };
 
-double length(Vec3d v) {
-    return std::sqrt(dot(v, v));
-}
-
 double diagonal_of(const Aabb& box) {
-    return length({box.extent(Axis::x), box.extent(Axis::y), box.extent(Axis::z)});
+    return render::length({box.extent(Axis::x), box.extent(Axis::y), box.extent(Axis::z)});
 }
 
 /// The nearest point that is finite in float.
@@ -109,7 +107,7 @@ Ray grazing_ray(TriangleMeshView mesh, double diagonal, Draw draw) {
         const Triangle triangle = mesh.triangle(draw.below(mesh.size()));
         const Vec3d from = point_of(triangle, draw);
         const Vec3d along = point_of(triangle, draw) - from;
-        const double size = length(along);
+        const double size = render::length(along);
         if (!(size > 0.0)) continue;  // a triangle that is a point
         const Vec3d direction = (1.0 / size) * along;
         // From a triangle's size away to a scene's, each scale as often.

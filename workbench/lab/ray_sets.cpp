@@ -8,6 +8,8 @@
 
 #include "coppice/base/rng.h"
 
+#include "render/vector_math.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,18 +25,14 @@ struct SurfacePoint {
     Vec3d normal;
 };
 
-double length(Vec3d v) {
-    return std::sqrt(dot(v, v));
-}
-
 SurfacePoint surface_point(TriangleMeshView mesh, const Ray& ray, const Hit& hit) {
     const Triangle triangle = mesh.triangle(hit.prim);
     const Vec3d a = to_double(triangle[0]);
     const Vec3d direction = to_double(ray.direction);
     Vec3d normal = cross(to_double(triangle[1]) - a, to_double(triangle[2]) - a);
-    const double size = length(normal);
+    const double size = render::length(normal);
     // A triangle without area has no normal: back to where the ray came from.
-    normal = size > 0.0 ? (1.0 / size) * normal : (-1.0 / length(direction)) * direction;
+    normal = size > 0.0 ? (1.0 / size) * normal : (-1.0 / render::length(direction)) * direction;
     if (dot(normal, direction) > 0.0) normal = -1.0 * normal;
     return {to_double(ray.origin) + static_cast<double>(hit.t) * direction, normal};
 }
@@ -43,7 +41,7 @@ SurfacePoint surface_point(TriangleMeshView mesh, const Ray& ray, const Hit& hit
 double offset_for(TriangleMeshView mesh) {
     const Aabb box = bounds_of(mesh.vertices());
     const Vec3d diagonal{box.extent(Axis::x), box.extent(Axis::y), box.extent(Axis::z)};
-    return 1e-5 * length(diagonal);
+    return 1e-5 * render::length(diagonal);
 }
 
 /// Calls `make(index, point, start)` for every hit and gathers the rays.
@@ -65,7 +63,7 @@ std::vector<Ray> rays_from_hits(TriangleMeshView mesh, std::span<const Ray> rays
 Vec3d cosine_weighted(Vec3d normal, double u, double v) {
     const Vec3d other = std::abs(normal.x) < 0.9 ? Vec3d{1.0, 0.0, 0.0} : Vec3d{0.0, 1.0, 0.0};
     const Vec3d side = cross(normal, other);
-    const Vec3d tangent = (1.0 / length(side)) * side;
+    const Vec3d tangent = (1.0 / render::length(side)) * side;
     const double radius = std::sqrt(u);
     const double angle = 2.0 * std::numbers::pi * v;
     return radius * std::cos(angle) * tangent + radius * std::sin(angle) * cross(normal, tangent) +

@@ -153,6 +153,16 @@ double tan_half(double fov) {
     return std::tan(0.5 * fov * std::numbers::pi / 180.0);
 }
 
+/// A camera whose eye was chosen: throws Error(limit) if that is beyond the range of float.
+const Camera& checked(const Camera& camera) {
+    if (std::isfinite(camera.eye.x) && std::isfinite(camera.eye.y) && std::isfinite(camera.eye.z)) {
+        return camera;
+    }
+    throw Error(ErrorCode::limit,
+                "the scene is too large to be seen from outside in single precision: "
+                "give an eye within it, and a point to look at");
+}
+
 }  // namespace
 
 Camera frame_box(const Aabb& box, const CameraWish& wish, double aspect) {
@@ -170,7 +180,7 @@ Camera frame_box(const Aabb& box, const CameraWish& wish, double aspect) {
     const double distance =
         framing_distance(corners_of(seen), target, view, tan_half(wish.fov), aspect);
     camera.eye = to_float(target - distance * view.forward);
-    return camera;
+    return checked(camera);
 }
 
 Camera frame_points(std::span<const Vec3f> points, const CameraWish& wish, double aspect) {
@@ -190,7 +200,7 @@ Camera frame_points(std::span<const Vec3f> points, const CameraWish& wish, doubl
     const double unit = std::pow(10.0, std::floor(std::log10(distance)) - 4.0);
     if (!wish.look_at) camera.look_at = rounded(target, unit);
     camera.eye = rounded(target - distance * view.forward, unit);
-    return camera;
+    return checked(camera);
 }
 
 Vec3f place_light(const Camera& camera, const Aabb& box) {

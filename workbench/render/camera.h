@@ -28,7 +28,8 @@ struct CameraWish {
 
 /// A camera that sees all of a box in an image of `aspect` (width over height): from the side where
 /// the box appears largest, a little from above. Up is y, or z for a box flat in z. What is wished
-/// for is kept, and the rest chosen around it. An empty box is taken for the point 0.
+/// for is kept, and the rest chosen around it. An empty box is taken for the point 0. Throws
+/// Error(limit) if the eye would be beyond the range of float.
 [[nodiscard]] Camera frame_box(const Aabb& box, const CameraWish& wish, double aspect);
 
 /// The same for points, closer: their own extent is looked at, not their box's, and from its front

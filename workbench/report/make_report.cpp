@@ -3,6 +3,7 @@
 #include "report/assets.h"
 #include "report/chart_parts.h"
 #include "report/charts.h"
+#include "report/exhibit_figures.h"
 #include "report/figure.h"
 #include "report/format.h"
 #include "report/laboratory.h"
@@ -75,20 +76,34 @@ std::string seed_note(const Series& series) {
                            : "the least and the greatest");
 }
 
+std::string cost_time_figure(const Series& series) {
+    return figure(
+        series.key + "-cost-time",
+        fmt::format("Cost against build time, {}.", escape_html(series.kind)),
+        "Down and left is better; rings mark what the rule recommends. " + seed_note(series),
+        make_cost_time_chart(series));
+}
+
+// The kind that rays are traced against is the main one, where there is one.
+const Series& main_series(const std::vector<Series>& series) {
+    const auto triangles = std::ranges::find(series, "triangles", &Series::kind);
+    return triangles != series.end() ? *triangles : series.front();
+}
+
+// The picture, the answer and the main chart; what follows is for the second look.
 std::string answer_section(const json& scene, const std::vector<Series>& series,
-                           const std::string& anchor) {
+                           const SceneExhibits& exhibits, const std::string& anchor) {
+    const std::string name = text_at(scene, "scene");
     std::string html = fmt::format(
         "<section class=\"scene-answer\" aria-labelledby=\"answer-{0}\"><h2 id=\"answer-{0}\">{1}"
         " <small>{2}</small></h2>\n{3}",
-        anchor, escape_html(text_at(scene, "scene")), scene_facts(scene),
-        make_answer(scene, series));
-    html += "<div class=\"grid\">";
+        anchor, escape_html(name), scene_facts(scene), make_answer(scene, series));
+    if (series.empty()) return html + "</section>\n";
+    html += "<div class=\"grid\">" + make_picture(exhibits, name);
+    const Series& main = main_series(series);
+    html += cost_time_figure(main);
     for (const Series& kind : series) {
-        html += figure(
-            kind.key + "-cost-time",
-            fmt::format("Cost against build time, {}.", escape_html(kind.kind)),
-            "Down and left is better; rings mark what the rule recommends. " + seed_note(kind),
-            make_cost_time_chart(kind));
+        if (&kind != &main) html += cost_time_figure(kind);
     }
     html += "</div>";
     const bool has_verdict = std::ranges::any_of(series, &Series::has_relative_cost);
@@ -197,12 +212,23 @@ std::string kind_section(const json& scene, const Series& series, bool is_compar
     return html + "<h4>All trees</h4>" + make_rows_table(scene, series) + "</section>\n";
 }
 
+std::string exhibit_section(const json& scene, const SceneExhibits& exhibits,
+                            const std::string& anchor) {
+    std::string html = make_heat_maps(exhibits, text_at(scene, "scene")) +
+                       make_inspector(exhibits, "scene-" + anchor);
+    if (!exhibits.missing.empty()) html += "<p>" + escape_html(exhibits.missing) + "</p>";
+    if (html.empty()) return {};
+    return fmt::format("<section><h3 id=\"trees-{}\">The trees, seen</h3>{}</section>\n", anchor,
+                       html);
+}
+
 std::string scene_section(const json& scene, const std::vector<Series>& series,
-                          const std::string& anchor) {
+                          const SceneExhibits& exhibits, const std::string& anchor) {
     std::string html = fmt::format(
         "<section class=\"scene\" aria-labelledby=\"scene-{0}\">"
         "<h2 id=\"scene-{0}\">{1} in detail</h2>\n",
         anchor, escape_html(text_at(scene, "scene")));
+    html += exhibit_section(scene, exhibits, anchor);
     for (const Series& kind : series) {
         html += kind_section(scene, kind, &kind == &comparable_series(series));
     }
@@ -218,7 +244,8 @@ std::string licenses(const Assets& assets) {
     for (const auto& [name, license] :
          {std::pair{"Vega", assets.vega_license}, std::pair{"Vega-Lite", assets.vega_lite_license},
           std::pair{"Vega-Embed", assets.vega_embed_license},
-          std::pair{"D3 (inside Vega)", assets.d3_license}}) {
+          std::pair{"D3 (inside Vega)", assets.d3_license},
+          std::pair{"three.js", assets.three_license}}) {
         text += fmt::format("{}\n\n{}\n\n", name, license);
     }
     return escape_html(text);
@@ -254,9 +281,44 @@ json setup_fields(const json& results) {
     return fields;
 }
 
+// What the page tells of the experiment as a whole.
+std::map<std::string_view, std::string> results_parts(const json& results) {
+    return {{"created", stated(results, "created")},
+            {"version", stated(results, "coppice")},
+            {"revision", stated(results, "git_revision")},
+            {"compiler", stated(results, "compiler")},
+            {"cpu", stated(results.value("machine", json::object()), "cpu")},
+            {"program", make_fields_table(setup_fields(results), "Program")},
+            {"machine", make_fields_table(results.value("machine", json()), "Machine")},
+            {"options", make_fields_table(results.value("options", json()), "Options")},
+            {"traversal_cost", constant(results, "traversal_cost")},
+            {"intersection_cost", constant(results, "intersection_cost")},
+            {"empty_bonus", constant(results, "empty_bonus")},
+            {"max_leaf", constant(results, "max_leaf")},
+            {"max_depth", constant(results, "max_depth")},
+            {"bad_refines", constant(results, "bad_refines")},
+            {"results", script_json(results)}};
+}
+
+bool has_inspector(const SceneExhibits& exhibits) {
+    return exhibits.inspector.has_value();
+}
+
+// Style, scripts and licences; three.js is half of them and comes only where it is used.
+std::map<std::string_view, std::string> library_parts(bool with_inspector) {
+    const Assets& assets = embedded_assets();
+    return {{"style", std::string(assets.page_css)},
+            {"licenses", licenses(assets)},
+            {"vega", script_text(assets.vega)},
+            {"vega_lite", script_text(assets.vega_lite)},
+            {"vega_embed", script_text(assets.vega_embed)},
+            {"script", script_text(assets.page_js)},
+            {"inspector_script", with_inspector ? script_text(assets.inspector_js) : ""}};
+}
+
 }  // namespace
 
-std::string make_report(const json& results) {
+std::string make_report(const json& results, std::span<const SceneExhibits> exhibits) {
     const std::vector<Series> all = collect_series(results);
     const json& scenes = results["scenes"];
     std::string answers;
@@ -267,41 +329,23 @@ std::string make_report(const json& results) {
         std::vector<Series> series;
         std::ranges::copy_if(all, std::back_inserter(series),
                              [&](const Series& one) { return one.scene_index == i; });
+        const SceneExhibits none;
+        const SceneExhibits& shown = i < exhibits.size() ? exhibits[i] : none;
         const std::string anchor = std::to_string(i + 1);
-        answers += answer_section(scenes[i], series, anchor);
-        details += scene_section(scenes[i], series, anchor);
+        answers += answer_section(scenes[i], series, shown, anchor);
+        details += scene_section(scenes[i], series, shown, anchor);
         names.push_back(escape_html(text_at(scenes[i], "scene")));
         links += fmt::format("<li><a href=\"#scene-{}\">{}</a></li>", anchor, names.back());
     }
     if (scenes.empty()) answers = "<p class=\"answer\">The results hold no scene.</p>";
 
-    const Assets& assets = embedded_assets();
-    return fill(assets.page_html,
-                {{"title", names.empty() ? "no scenes" : join_words(names)},
-                 {"style", std::string(assets.page_css)},
-                 {"links", links},
-                 {"answers", answers},
-                 {"details", details},
-                 {"created", stated(results, "created")},
-                 {"version", stated(results, "coppice")},
-                 {"revision", stated(results, "git_revision")},
-                 {"compiler", stated(results, "compiler")},
-                 {"cpu", stated(results.value("machine", json::object()), "cpu")},
-                 {"program", make_fields_table(setup_fields(results), "Program")},
-                 {"machine", make_fields_table(results.value("machine", json()), "Machine")},
-                 {"options", make_fields_table(results.value("options", json()), "Options")},
-                 {"traversal_cost", constant(results, "traversal_cost")},
-                 {"intersection_cost", constant(results, "intersection_cost")},
-                 {"empty_bonus", constant(results, "empty_bonus")},
-                 {"max_leaf", constant(results, "max_leaf")},
-                 {"max_depth", constant(results, "max_depth")},
-                 {"bad_refines", constant(results, "bad_refines")},
-                 {"licenses", licenses(assets)},
-                 {"results", script_json(results)},
-                 {"vega", script_text(assets.vega)},
-                 {"vega_lite", script_text(assets.vega_lite)},
-                 {"vega_embed", script_text(assets.vega_embed)},
-                 {"script", script_text(assets.page_js)}});
+    std::map<std::string_view, std::string> parts = results_parts(results);
+    parts.merge(library_parts(std::ranges::any_of(exhibits, has_inspector)));
+    parts["title"] = names.empty() ? "no scenes" : join_words(names);
+    parts["links"] = links;
+    parts["answers"] = answers;
+    parts["details"] = details;
+    return fill(embedded_assets().page_html, parts);
 }
 
 }  // namespace coppice::report

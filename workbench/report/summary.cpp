@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace coppice::report {
 namespace {
@@ -52,21 +53,61 @@ const RatePoint* smallest_sample(const Series& series, std::string_view protocol
     return smallest;
 }
 
-// "40 % (fixed leaf limit)" for every recommendation over one kind.
-std::vector<std::string> recommended_percents(const json& scene, const Series& series) {
-    std::vector<std::string> phrases;
-    for (const std::string& protocol : series.protocols()) {
-        for (const json& row : array_at(scene, "recommended")) {
-            const std::optional<double> percent = number_at(row, "sample_percent");
-            if (text_at(row, "primitives") != series.kind || series.line_of(row) != protocol ||
-                !percent) {
-                continue;
-            }
-            phrases.push_back(
-                fmt::format("{} ({})", strong(format_percent(*percent)), name_of(protocol)));
-        }
+// Which tree a scene's results recommend the most.
+struct Choice {
+    const Series* series = nullptr;
+    std::string protocol;
+    double percent = 100.0;
+    std::optional<double> relative_cost;
+    std::optional<double> relative_time;
+};
+
+// The smallest sample recommended for one kind, and of equal ones the cheapest tree.
+std::optional<Choice> best_of_kind(const json& scene, const Series& series) {
+    std::optional<Choice> best;
+    for (const json& row : array_at(scene, "recommended")) {
+        const std::optional<double> percent = number_at(row, "sample_percent");
+        const std::string line = series.line_of(row);
+        const bool is_here = text_at(row, "primitives") == series.kind &&
+                             std::ranges::count(series.protocols(), line) > 0;
+        if (!is_here || !percent) continue;
+        const Choice choice{&series, line, *percent, number_at(row, "relative_cost"),
+                            number_at(row, "relative_time")};
+        const auto rank = [](const Choice& one) {
+            return std::pair(one.percent, one.relative_cost.value_or(1.0));
+        };
+        if (!best || rank(choice) < rank(*best)) best = choice;
     }
-    return phrases;
+    return best;
+}
+
+// That of triangles, which rays are traced against, or of the first kind that has one.
+std::optional<Choice> best_choice(const json& scene, const std::vector<Series>& series) {
+    std::optional<Choice> best;
+    for (const Series& kind : series) {
+        if (best && kind.kind != "triangles") continue;
+        if (const auto choice = best_of_kind(scene, kind)) best = choice;
+    }
+    return best;
+}
+
+// "the tree costs 1.01 times (95 % interval ...) as much as the full one".
+std::string choice_consequence(const Choice& choice) {
+    std::vector<std::string> phrases;
+    const RatePoint* point = choice.series->find(choice.protocol, choice.percent);
+    const Range* cost = point != nullptr ? point->find("relative_cost") : nullptr;
+    if (cost != nullptr) {
+        phrases.push_back(fmt::format("costs {} as much as the full one",
+                                      strong(times(*cost, point->seed_count))));
+    } else if (choice.relative_cost) {
+        phrases.push_back(fmt::format("costs {} as much as the full one",
+                                      strong(format_ratio(*choice.relative_cost) + " times")));
+    }
+    if (choice.relative_time) {
+        phrases.push_back(
+            fmt::format("takes {} of its build time", strong(format_share(*choice.relative_time))));
+    }
+    return phrases.empty() ? "" : ": the tree " + join_words(phrases);
 }
 
 std::string cost_sentence(const Series& series, const RatePoint& point) {
@@ -260,24 +301,23 @@ std::string explain_costs(const Series& series, const ThesisTables& thesis, doub
 }  // namespace
 
 std::string make_answer(const json& scene, const std::vector<Series>& series) {
-    std::vector<std::string> phrases;
-    for (const Series& kind : series) {
-        const std::vector<std::string> percents = recommended_percents(scene, kind);
-        if (percents.empty()) continue;
-        phrases.push_back(
-            fmt::format("{} of the {}", join_words(percents), escape_html(kind.kind)));
+    if (series.empty()) return "<p class=\"answer\">No tree was built for this scene.</p>";
+    const std::optional<Choice> choice = best_choice(scene, series);
+    if (!choice) {
+        return "<p class=\"answer\">The results recommend no percentage for this scene.</p>";
     }
-    if (phrases.empty()) {
-        return series.empty() ? "<p class=\"answer\">No tree was built for this scene.</p>"
-                              : "<p class=\"answer\">The results recommend no percentage for this"
-                                " scene.</p>";
+    const std::string kind = escape_html(choice->series->kind);
+    const std::string protocol = name_of(choice->protocol);
+    std::string text = "<p class=\"answer\">Build on ";
+    if (choice->percent < 100.0) {
+        text += fmt::format("{} of the {} ({}){}.", strong(format_percent(choice->percent)), kind,
+                            protocol, choice_consequence(*choice));
+    } else {
+        text += fmt::format("{} of the {}: no smaller sample will do, by the rule below.",
+                            strong(format_percent(choice->percent)), kind);
     }
     const json& first = array_at(scene, "recommended").front();
-    std::string text = "<p class=\"answer\">Build on ";
-    for (std::size_t i = 0; i < phrases.size(); ++i) {
-        text += (i > 0 ? "; on " : "") + phrases[i];
-    }
-    text += fmt::format(". <span class=\"rule\">Rule: {}",
+    text += fmt::format(" <span class=\"rule\">Rule: {}",
                         escape_html(capitalize(text_at(first, "rule"))));
     if (const std::string source = text_at(first, "source"); !source.empty()) {
         text += ", " + escape_html(source);

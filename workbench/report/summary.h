@@ -12,7 +12,8 @@ namespace coppice::report {
 
 // Every function here returns HTML sentences, made from the numbers of the results alone.
 
-/// Which percentages the rule recommends for a scene. `series` are the scene's own.
+/// What the rule recommends for a scene, in a sentence: the smallest sample, of triangles if there
+/// are trees of them, and what that costs. `series` are the scene's own.
 [[nodiscard]] std::string make_answer(const nlohmann::json& scene,
                                       const std::vector<Series>& series);
 

@@ -134,8 +134,7 @@ std::optional<double> mean_of(const RatePoint* point, std::string_view key) {
 
 std::string recommendation_rows(const json& scene, const Series& series) {
     std::string html;
-    const std::vector<std::string> protocols = series.protocols();
-    for (const std::string& protocol : protocols) {
+    for (const std::string& protocol : series.protocols()) {
         const json* chosen = nullptr;
         for (const json& row : array_at(scene, "recommended")) {
             if (text_at(row, "primitives") == series.kind && series.line_of(row) == protocol) {
@@ -145,13 +144,10 @@ std::string recommendation_rows(const json& scene, const Series& series) {
         const json none = json::object();
         const json& row = chosen != nullptr ? *chosen : none;
         html += "<tr>";
-        if (protocol == protocols.front()) {
-            html += fmt::format("<th scope=\"rowgroup\" rowspan=\"{}\">{}</th>", protocols.size(),
-                                escape_html(series.kind));
-        }
-        html += fmt::format("<th scope=\"row\">{}</th><td class=\"key\">{}</td>",
-                            escape_html(protocol_style(protocol).name),
-                            cell_text(row, "sample_percent"));
+        html += fmt::format(
+            "<th scope=\"row\">{}</th><th scope=\"row\">{}</th><td class=\"key\">{}</td>",
+            escape_html(series.kind), escape_html(protocol_style(protocol).name),
+            cell_text(row, "sample_percent"));
         html += ratio_cell(number_at(row, "relative_cost"));
         html += ratio_cell(number_at(row, "relative_time"));
         const RatePoint* half = series.find(protocol, 50.0);
@@ -250,18 +246,20 @@ std::string make_rows_table(const json& scene, const Series& series) {
     const std::string label = fmt::format("All trees over the {} of {}", series.kind, series.scene);
     return scrollable(
         label,
-        fmt::format("<table class=\"rows\"><caption>{}. {}.</caption>{}<tbody>{}</tbody></table>",
-                    escape_html(label), constants_of(rows, series.kind), make_head(columns), body));
+        fmt::format(
+            "<table class=\"rows sortable\"><caption>{}. {}.</caption>{}<tbody>{}</tbody></table>",
+            escape_html(label), constants_of(rows, series.kind), make_head(columns), body));
 }
 
 std::string make_recommendation_table(const json& scene, const std::vector<Series>& series) {
     std::string body;
     for (const Series& kind : series) {
-        body += "<tbody>" + recommendation_rows(scene, kind) + "</tbody>";
+        body += recommendation_rows(scene, kind);
     }
     return scrollable(
         "Recommended samples of " + text_at(scene, "scene"),
-        "<table class=\"recommendations\"><caption>Costs and times are relative to the 100&nbsp;% "
+        "<table class=\"recommendations sortable\"><caption>Costs and times are relative to the "
+        "100&nbsp;% "
         "tree"
         " of the same protocol.</caption><thead><tr><th rowspan=\"2\" "
         "scope=\"col\">primitives</th>"
@@ -270,8 +268,8 @@ std::string make_recommendation_table(const json& scene, const std::vector<Serie
         "<th colspan=\"2\" scope=\"colgroup\" class=\"first\">the thesis’s 50&nbsp;%</th></tr>"
         "<tr><th scope=\"col\" class=\"first\">sample</th><th scope=\"col\">cost ×</th>"
         "<th scope=\"col\">time ×</th><th scope=\"col\" class=\"first\">cost ×</th>"
-        "<th scope=\"col\">time ×</th></tr></thead>" +
-            body + "</table>");
+        "<th scope=\"col\">time ×</th></tr></thead><tbody>" +
+            body + "</tbody></table>");
 }
 
 std::string make_thesis_table(const Series& series, const ThesisTables& thesis) {
@@ -320,11 +318,11 @@ std::string make_thesis_table(const Series& series, const ThesisTables& thesis) 
     };
     return scrollable(
         "The thesis's numbers and ours",
-        fmt::format(
-            "<table><caption>Relative to each scene’s own 100&nbsp;% tree.</caption><thead><tr>"
-            "<th rowspan=\"2\" scope=\"col\">sample</th>{}{}</tr><tr>{}</tr></thead>"
-            "<tbody>{}</tbody></table>",
-            group("Cost"), group("Build time"), names, body));
+        fmt::format("<table class=\"sortable\"><caption>Relative to each scene’s own 100&nbsp;% "
+                    "tree.</caption><thead><tr>"
+                    "<th rowspan=\"2\" scope=\"col\">sample</th>{}{}</tr><tr>{}</tr></thead>"
+                    "<tbody>{}</tbody></table>",
+                    group("Cost"), group("Build time"), names, body));
 }
 
 std::string make_fields_table(const json& object, std::string_view caption) {

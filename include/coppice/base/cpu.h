@@ -8,10 +8,11 @@ namespace coppice {
 /// Instruction sets that the kernels are compiled for. All give the same trees and the same hits.
 enum class Isa {
     scalar,  ///< what every processor of the architecture has
+    sse42,   ///< SSE4.2 (x86-64), by which only the wide tree is traced otherwise than by scalar
     avx2     ///< AVX2 and FMA (x86-64)
 };
 
-/// The stable lower-case name, e.g. "avx2".
+/// The stable lower-case name, e.g. "sse4.2".
 [[nodiscard]] std::string_view name_of(Isa isa) noexcept;
 
 /// Those this processor can run, the slowest first; never none.

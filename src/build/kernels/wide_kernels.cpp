@@ -4,8 +4,11 @@
 
 namespace coppice::wide {
 
-const Kernels& kernels_for(Isa isa) noexcept {
-    return isa == Isa::avx2 ? avx2_kernels() : scalar_kernels();
+const Kernels& kernels_for([[maybe_unused]] Isa isa) noexcept {
+#if defined(__x86_64__)
+    if (isa == Isa::avx2) return avx2_kernels();
+#endif
+    return scalar_kernels();
 }
 
 void clear(Bins& bins, std::uint32_t bin_count) noexcept {

@@ -19,20 +19,10 @@ namespace {
 
 }  // namespace
 
-COPPICE_END_AVX2
+COPPICE_END_ISA
 
 const Kernels& avx2_kernels() noexcept {
     return kernels;
-}
-
-}  // namespace coppice::wide
-
-#else
-
-namespace coppice::wide {
-
-const Kernels& avx2_kernels() noexcept {
-    return scalar_kernels();  // never asked for: choose_isa() does not offer it
 }
 
 }  // namespace coppice::wide

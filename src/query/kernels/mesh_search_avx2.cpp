@@ -25,20 +25,10 @@ namespace {
 
 }  // namespace
 
-COPPICE_END_AVX2
+COPPICE_END_ISA
 
 const MeshSearchKernels& avx2_mesh_search_kernels() noexcept {
     return kernels;
-}
-
-}  // namespace coppice
-
-#else
-
-namespace coppice {
-
-const MeshSearchKernels& avx2_mesh_search_kernels() noexcept {
-    return scalar_mesh_search_kernels();  // never asked for: choose_isa() does not offer it
 }
 
 }  // namespace coppice

@@ -2,8 +2,11 @@
 
 namespace coppice {
 
-const PointSearchKernels& point_search_kernels_for(Isa isa) noexcept {
-    return isa == Isa::avx2 ? avx2_point_search_kernels() : scalar_point_search_kernels();
+const PointSearchKernels& point_search_kernels_for([[maybe_unused]] Isa isa) noexcept {
+#if defined(__x86_64__)
+    if (isa == Isa::avx2) return avx2_point_search_kernels();
+#endif
+    return scalar_point_search_kernels();
 }
 
 }  // namespace coppice

@@ -21,20 +21,10 @@ namespace {
 
 }  // namespace
 
-COPPICE_END_AVX2
+COPPICE_END_ISA
 
 const PointSearchKernels& avx2_point_search_kernels() noexcept {
     return kernels;
-}
-
-}  // namespace coppice
-
-#else
-
-namespace coppice {
-
-const PointSearchKernels& avx2_point_search_kernels() noexcept {
-    return scalar_point_search_kernels();  // never asked for: choose_isa() does not offer it
 }
 
 }  // namespace coppice

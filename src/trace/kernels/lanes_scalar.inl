@@ -81,24 +81,15 @@ inline unsigned less(Lanes a, Lanes b) noexcept {
     return mask;
 }
 
-// Stores eight values, those of the lanes in the mask first.
-template <typename T>
-inline void store_selected(unsigned mask, const std::array<T, 8>& from, T* to) noexcept {
-    for (std::size_t i = 0; i < 8; ++i) {
-        *to = from[i];
-        to += mask >> i & 1U;
-    }
+// What is faster as integers in a register is not here.
+inline Lanes bits_max(Lanes a, Lanes b) noexcept {
+    return max(a, b);
 }
 
-inline void store_selected(unsigned mask, Lanes from, float* to) noexcept {
-    store_selected(mask, from.lane, to);
+inline Lanes bits_min(Lanes a, Lanes b) noexcept {
+    return min(a, b);
 }
 
-// The lane in the mask, which is not 0, with the least value.
-inline std::size_t nearest_of(Lanes values, unsigned mask) noexcept {
-    auto nearest = static_cast<std::size_t>(std::countr_zero(mask));
-    for (std::size_t i = nearest + 1; i < 8; ++i) {
-        if ((mask >> i & 1U) != 0 && values.lane[i] < values.lane[nearest]) nearest = i;
-    }
-    return nearest;
+inline unsigned bits_less_equal(Lanes a, Lanes b) noexcept {
+    return less_equal(a, b);
 }

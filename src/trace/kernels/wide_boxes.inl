@@ -17,10 +17,6 @@ struct Lanes3 {
     Lanes z;
 };
 
-inline Lanes3 operator-(const Lanes3& a, const Lanes3& b) noexcept {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
 inline Lanes3 broadcast(Vec3f v) noexcept {
     return {broadcast(v.x), broadcast(v.y), broadcast(v.z)};
 }
@@ -72,17 +68,28 @@ struct BoxHits {
     Lanes enter;
 };
 
+// The largest coordinate of a box, without its sign.
+inline float reach_of(const Aabb& box) noexcept {
+    const auto larger = [](float a, float b) { return std::max(std::abs(a), std::abs(b)); };
+    return std::max({larger(box.lower.x, box.upper.x), larger(box.lower.y, box.upper.y),
+                     larger(box.lower.z, box.upper.z)});
+}
+
 // Whether products with the ray's origin and inverse direction, and with the bounds of all boxes,
-// neither overflow nor are NaN, and nothing behind the origin matters.
+// neither overflow nor are NaN, and nothing behind the origin matters. Such a ray is_traceable().
+// All numbers of the ray at once: a branch for each would cost 7 ns a ray.
 inline bool is_quick(const Ray& ray, const Aabb& bounds) noexcept {
     constexpr float far = 0x1.0p60F;
-    const auto is_near = [](Vec3f v) {
-        return std::abs(v.x) <= far && std::abs(v.y) <= far && std::abs(v.z) <= far;
-    };
-    const auto is_plain = [](float d) { return std::abs(d) >= 1.0F / far && std::abs(d) <= far; };
-    return is_near(ray.origin) && is_plain(ray.direction.x) && is_plain(ray.direction.y) &&
-           is_plain(ray.direction.z) && ray.t_min >= 0.0F && is_near(bounds.lower) &&
-           is_near(bounds.upper);
+    constexpr unsigned of_origin = 0b000111;
+    constexpr unsigned of_direction = 0b111000;
+    alignas(32) const auto numbers = std::bit_cast<std::array<float, 8>>(ray);
+    const Lanes sizes = abs(load(numbers));
+    const unsigned near = less_equal(sizes, broadcast(far));
+    const unsigned plain = less_equal(broadcast(1.0F / far), sizes);
+    const float reach = reach_of(bounds);
+    return (near & (of_origin | of_direction)) == (of_origin | of_direction) &&
+           (plain & of_direction) == of_direction && ray.t_min >= 0.0F && ray.t_min <= ray.t_max &&
+           reach <= far;
 }
 
 // Of a ray that is_quick() in a tree's bounds. Never meets an empty child: its bounds are infinite
@@ -101,11 +108,15 @@ struct QuickRay {
         far_at_0 = broadcast(by_axis(ray.origin, grow * inverse) - slack);
     }
 
-    static float slack_of(float product) noexcept { return 0x1.0p-21F * std::abs(product); }
+    // Never 0, so that a face which the ray starts on is not at -0.
+    static float slack_of(float product) noexcept {
+        return 0x1.0p-21F * std::abs(product) + 0x1.0p-100F;
+    }
 
     static Vec3f by_axis(Vec3f a, Vec3f b) noexcept { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 
-    // The children whose boxes the ray meets between enter and exit.
+    // The children whose boxes the ray meets between enter and exit, which are not negative: a
+    // negative distance to a near face does not raise enter, one to a far face is a miss.
     [[nodiscard]] BoxHits meet(const WideNode& node, Lanes enter, Lanes exit) const noexcept {
         const auto near = [&](std::size_t row, Lanes inverse, Lanes at_0) {
             return multiply_subtract(load_row(node, row), inverse, at_0);
@@ -113,13 +124,13 @@ struct QuickRay {
         const auto far = [&](std::size_t axis, std::size_t row, Lanes inverse, Lanes at_0) {
             return multiply_subtract(load_row(node, RowOffsets::far_of(axis, row)), inverse, at_0);
         };
-        enter = max(max(near(near_row.x, to_near.x, near_at_0.x),
-                        near(near_row.y, to_near.y, near_at_0.y)),
-                    max(near(near_row.z, to_near.z, near_at_0.z), enter));
-        exit = min(min(far(0, near_row.x, to_far.x, far_at_0.x),
-                       far(1, near_row.y, to_far.y, far_at_0.y)),
-                   min(far(2, near_row.z, to_far.z, far_at_0.z), exit));
-        return {less_equal(enter, exit), enter};
+        enter = bits_max(bits_max(near(near_row.x, to_near.x, near_at_0.x),
+                                  near(near_row.y, to_near.y, near_at_0.y)),
+                         bits_max(near(near_row.z, to_near.z, near_at_0.z), enter));
+        exit = bits_min(bits_min(far(0, near_row.x, to_far.x, far_at_0.x),
+                                 far(1, near_row.y, to_far.y, far_at_0.y)),
+                        bits_min(far(2, near_row.z, to_far.z, far_at_0.z), exit));
+        return {bits_less_equal(enter, exit), enter};
     }
 
     RowOffsets near_row;

@@ -30,7 +30,9 @@ public:
     // True if that ends the search.
     bool consider(const TriangleBlock& block, std::size_t lane, const Sifted& sifted) noexcept {
         const bool is_certain = (sifted.certain >> lane & 1U) != 0;
-        if (is_certain && sifted.first[lane] > ray_.t_max) return false;
+        if (is_certain && (sifted.first[lane] > ray_.t_max || sifted.last[lane] < ray_.t_min)) {
+            return false;
+        }
         // Nothing beyond the range of float is hit.
         const float farthest = std::min(ray_.t_max, std::numeric_limits<float>::max());
         const bool is_inside =
@@ -66,7 +68,7 @@ public:
         const float first = sifted.first[lane];
         const float last = sifted.last[lane];
         const bool is_certain = (sifted.certain >> lane & 1U) != 0;
-        if (is_certain && first > last_) return false;
+        if (is_certain && (first > last_ || last < ray_.t_min)) return false;
         if (is_certain && last < first_ && first >= ray_.t_min) {
             keep(block, lane, first, last);
         } else {

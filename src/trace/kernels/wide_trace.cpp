@@ -11,8 +11,12 @@ bool decide_alone(const TriangleBlock& block, std::size_t lane, const Ray& ray, 
     return true;
 }
 
-const TraceKernels& trace_kernels_for(Isa isa) noexcept {
-    return isa == Isa::avx2 ? avx2_trace_kernels() : scalar_trace_kernels();
+const TraceKernels& trace_kernels_for([[maybe_unused]] Isa isa) noexcept {
+#if defined(__x86_64__)
+    if (isa == Isa::avx2) return avx2_trace_kernels();
+    if (isa == Isa::sse42) return sse42_trace_kernels();
+#endif
+    return scalar_trace_kernels();
 }
 
 }  // namespace coppice

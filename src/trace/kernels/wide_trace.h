@@ -31,6 +31,7 @@ struct TraceKernels {
 
 /// Those of each set.
 [[nodiscard]] const TraceKernels& scalar_trace_kernels() noexcept;
+[[nodiscard]] const TraceKernels& sse42_trace_kernels() noexcept;
 [[nodiscard]] const TraceKernels& avx2_trace_kernels() noexcept;
 
 }  // namespace coppice

@@ -1,12 +1,19 @@
 // Traversal of the 8-wide tree: included once for each instruction set, in a namespace of its own,
-// after that set's lanes_*.inl and decide_*.inl, and wide_boxes.inl, wide_triangles.inl,
-// wide_queries.inl.
+// after that set's lanes_*.inl and a decide_*.inl.
 //
-// Of the children that a ray meets it goes on to the nearest; the others wait on a stack, in any
-// order. What single precision cannot decide is decided by TriangleTest's operations in double. So
-// hits are those of brute force on every instruction set, and watertight.
+// Of the children that a ray meets it goes on to the nearest, or an any-hit query to the likeliest to
+// be hit; the others wait on a stack. What single precision cannot decide is decided by
+// TriangleTest's operations in double. So hits are those of brute force on every instruction set,
+// and watertight.
 //
 // Stack: an inner node leaves at most 7 entries, and no node is deeper than WideBvh::max_depth.
+
+// Each of these builds on those before.
+// clang-format off
+#include "trace/kernels/wide_boxes.inl"
+#include "trace/kernels/wide_triangles.inl"
+#include "trace/kernels/wide_queries.inl"
+// clang-format on
 
 constexpr std::size_t max_stack = (wide_width - 1) * (WideBvh::max_depth + 1);
 
@@ -92,34 +99,50 @@ private:
         return false;
     }
 
-    // Goes on to the nearest child that the ray meets, or to any, and leaves the others on the
-    // stack; false if it meets none. To sort the others saves 3 % of the visits and costs more.
+    // Goes on to one of the children that the ray meets and leaves the others on the stack; false if
+    // it meets none.
     bool step_down(const WideNode& node, WideChild& at) noexcept {
         counter_.add_node();
         const BoxHits met = ray_.meet(node, enter_, exit_);
         if (met.mask == 0) return false;
-        auto slot = static_cast<std::size_t>(std::countr_zero(met.mask));
-        unsigned rest = met.mask & (met.mask - 1);
-        at = node.child[slot];
-        if (rest != 0) {
-            alignas(32) std::array<float, wide_width> enter;
-            if (Query::nearest_first) store(met.enter, enter);
-            const auto entry_of = [&](std::size_t which) {
-                return Entry(Query::nearest_first ? enter[which] : 0.0F, node.child[which]);
-            };
-            Entry nearest = entry_of(slot);
-            do {
-                slot = static_cast<std::size_t>(std::countr_zero(rest));
-                rest &= rest - 1;
-                const Entry other = entry_of(slot);
-                *top_ = Query::nearest_first ? std::max(nearest, other) : other;
-                nearest = std::min(nearest, other);
-                prefetch(top_->child());
-                ++top_;
-            } while (rest != 0);
-            if (Query::nearest_first) at = nearest.child();
-        }
+        at = Query::nearest_first ? go_to_nearest(node, met) : go_to_last(node, met.mask);
         return is_child(at);
+    }
+
+    // The others are sorted, the nearest on top of the stack.
+    WideChild go_to_nearest(const WideNode& node, const BoxHits& met) noexcept {
+        unsigned rest = met.mask & (met.mask - 1);
+        auto slot = static_cast<std::size_t>(std::countr_zero(met.mask));
+        if (rest == 0) return node.child[slot];
+        alignas(32) std::array<float, wide_width> enter;
+        store(met.enter, enter);
+        Entry nearest(enter[slot], node.child[slot]);
+        const Entry* const base = top_;
+        do {
+            slot = static_cast<std::size_t>(std::countr_zero(rest));
+            rest &= rest - 1;
+            const Entry other(enter[slot], node.child[slot]);
+            prefetch(other.child());
+            const Entry farther = std::max(nearest, other);
+            nearest = std::min(nearest, other);
+            Entry* place = top_++;
+            for (; place != base && place[-1] < farther; --place) {
+                *place = place[-1];
+            }
+            *place = farther;
+        } while (rest != 0);
+        return nearest.child();
+    }
+
+    // The builder puts the child last that is likeliest to be hit.
+    WideChild go_to_last(const WideNode& node, unsigned mask) noexcept {
+        for (;;) {
+            const WideChild child = node.child[static_cast<std::size_t>(std::countr_zero(mask))];
+            mask &= mask - 1;
+            if (mask == 0) return child;
+            prefetch(child);
+            *top_++ = Entry(0.0F, child);
+        }
     }
 
     // Whether a met slot holds anything.
@@ -131,7 +154,7 @@ private:
         const char* at = child.is_leaf() ? reinterpret_cast<const char*>(blocks_ + child.first_block())
                                          : reinterpret_cast<const char*>(nodes_ + child.node());
         constexpr std::size_t line = 64;
-        for (std::size_t i = 0; i < sizeof(WideNode); i += line) {
+        for (std::size_t i = 0; i < sizeof(TriangleBlock); i += line) {
             __builtin_prefetch(at + i);
         }
     }
@@ -166,13 +189,14 @@ private:
     Entry* top_ = stack_.data();
 };
 
+// Runs a query through the tree, if the ray can hit anything.
 template <typename Query, typename Counter>
 void search(const WideBvh& tree, const Ray& ray, const ShearedRay& sheared, Query& query,
             Counter counter) noexcept {
     if (is_quick(ray, tree.bounds())) {
         const QuickRay quick(ray);
         Traversal(tree, quick, sheared, query, counter).run();
-    } else {
+    } else if (is_traceable(ray)) {
         const CarefulRay careful(ray, tree.bounds());
         Traversal(tree, careful, sheared, query, counter).run();
     }
@@ -180,7 +204,6 @@ void search(const WideBvh& tree, const Ray& ray, const ShearedRay& sheared, Quer
 
 template <typename Counter>
 bool find_closest(const WideBvh& tree, const Ray& ray, Hit& hit, Counter counter) noexcept {
-    if (!is_traceable(ray)) return false;
     const ShearedRay sheared(ray);
     ClosestHit query(ray, sheared);
     search(tree, ray, sheared, query, counter);
@@ -189,7 +212,6 @@ bool find_closest(const WideBvh& tree, const Ray& ray, Hit& hit, Counter counter
 
 template <typename Counter>
 bool find_any(const WideBvh& tree, const Ray& ray, Counter counter) noexcept {
-    if (!is_traceable(ray)) return false;
     const ShearedRay sheared(ray);
     AnyHit query(ray, sheared);
     search(tree, ray, sheared, query, counter);
@@ -205,7 +227,7 @@ constexpr TraceKernels kernels{
     },
     .first = [](const WideBvh& tree, const Ray& ray, std::span<Hit> hits,
                 const Hit* after) noexcept -> std::size_t {
-        if (!is_traceable(ray) || hits.empty()) return 0;
+        if (hits.empty()) return 0;
         const ShearedRay sheared(ray);
         FirstHits query(ray, sheared, hits, after);
         search(tree, ray, sheared, query, NoCounts{});

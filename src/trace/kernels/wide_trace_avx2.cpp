@@ -25,28 +25,15 @@ namespace {
 // clang-format off
 #include "trace/kernels/lanes_avx2.inl"
 #include "trace/kernels/decide_avx2.inl"
-#include "trace/kernels/wide_boxes.inl"
-#include "trace/kernels/wide_triangles.inl"
-#include "trace/kernels/wide_queries.inl"
 #include "trace/kernels/wide_trace.inl"
 // clang-format on
 
 }  // namespace
 
-COPPICE_END_AVX2
+COPPICE_END_ISA
 
 const TraceKernels& avx2_trace_kernels() noexcept {
     return kernels;
-}
-
-}  // namespace coppice
-
-#else
-
-namespace coppice {
-
-const TraceKernels& avx2_trace_kernels() noexcept {
-    return scalar_trace_kernels();  // never asked for: choose_isa() does not offer it
 }
 
 }  // namespace coppice

@@ -15,9 +15,6 @@ namespace {
 // clang-format off
 #include "trace/kernels/lanes_scalar.inl"
 #include "trace/kernels/decide_scalar.inl"
-#include "trace/kernels/wide_boxes.inl"
-#include "trace/kernels/wide_triangles.inl"
-#include "trace/kernels/wide_queries.inl"
 #include "trace/kernels/wide_trace.inl"
 // clang-format on
 

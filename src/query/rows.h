@@ -1,23 +1,18 @@
 #pragma once
 
+#include "base/batch.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string_view>
 
 namespace coppice {
 
-/// Calls `body(i)` for all i < count, on at most `threads` threads (0 = all the hardware has).
-void for_each_query(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
-
 /// The length of the rows that `room` results for `count` queries make. Throws
 /// Error(invalid_argument) naming the `query` if the room cannot be divided evenly.
 [[nodiscard]] std::size_t row_length(std::string_view query, std::size_t count, std::size_t room);
-
-/// Throws Error(invalid_argument) naming the `query` unless there is room for one result a query.
-void require_room(std::string_view query, std::size_t count, std::size_t room);
 
 /// Calls `fill(i, row)`, which returns how many it found, for the row of every query, and fills the
 /// rows up with default values.

@@ -1,0 +1,30 @@
+#include "base/batch.h"
+
+#include "coppice/base/error.h"
+#include "coppice/base/parallel.h"
+
+#include <fmt/format.h>
+
+namespace coppice {
+
+void require_room(std::string_view query, std::size_t count, std::size_t room) {
+    if (count == room) return;
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("{}: {} queries, but room for {} results", query, count, room));
+}
+
+void run_queries(std::size_t count, int threads,
+                 const std::function<void(std::size_t, std::size_t)>& run) {
+    // Enough to make up for handing it over, few enough to share out evenly.
+    constexpr std::size_t chunk_size = 512;
+    if (threads < 0) {
+        throw Error(ErrorCode::invalid_argument, fmt::format("threads {} is less than 0", threads));
+    }
+    if (threads == 1 || count <= chunk_size) {
+        run(0, count);
+    } else {
+        run_with_threads(threads, [&] { parallel_for_chunks(count, chunk_size, run); });
+    }
+}
+
+}  // namespace coppice

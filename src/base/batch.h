@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string_view>
+
+namespace coppice {
+
+/// Throws Error(invalid_argument) naming the `query` unless there is room for one result a query.
+void require_room(std::string_view query, std::size_t count, std::size_t room);
+
+/// Calls `run(begin, end)` on ranges that together are [0, count), on at most `threads` threads
+/// (0 = all the hardware has). Throws Error(invalid_argument) if `threads` is negative.
+void run_queries(std::size_t count, int threads,
+                 const std::function<void(std::size_t, std::size_t)>& run);
+
+/// Calls `body(i)` for all i < count, as run_queries() does its ranges.
+template <typename Body>
+void for_each_query(std::size_t count, int threads, const Body& body) {
+    run_queries(count, threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            body(i);
+        }
+    });
+}
+
+}  // namespace coppice

@@ -1,0 +1,156 @@
+// A fork: no start-up, no protocol for the way there, and the work's memory is written to by nobody
+// else. The result comes back in an anonymous file, which has no end that a reader must wait at and
+// no size that a writer may pass. Only a copy that ended well is believed to have written all of
+// it.
+//
+// Cost: some 0.2 ms, and copying the page tables: 2 ms for each GB that this process has in use.
+
+#include "io/isolate.h"
+
+#include "coppice/base/error.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+
+namespace coppice {
+
+namespace {
+
+constexpr std::string_view end_mark = "whole";
+
+[[noreturn]] void fail(const char* what) {
+    throw Error(ErrorCode::io, fmt::format("{}: {}", what, std::strerror(errno)));
+}
+
+/// An anonymous file in memory, closed at the end.
+class MemoryFile {
+public:
+    MemoryFile() : descriptor_(memfd_create("coppice", MFD_CLOEXEC)) {
+        if (descriptor_ < 0) fail("cannot make a file in memory");
+    }
+
+    ~MemoryFile() { close(descriptor_); }
+
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
+
+    [[nodiscard]] bool write(std::string_view bytes) const noexcept {
+        while (!bytes.empty()) {
+            const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+            if (written < 0 && errno != EINTR) return false;
+            bytes.remove_prefix(written < 0 ? 0 : static_cast<std::size_t>(written));
+        }
+        return true;
+    }
+
+    [[nodiscard]] std::string read() const {
+        std::string bytes(static_cast<std::size_t>(lseek(descriptor_, 0, SEEK_END)), '\0');
+        std::size_t done = 0;
+        while (done < bytes.size()) {
+            const ssize_t count = pread(descriptor_, bytes.data() + done, bytes.size() - done,
+                                        static_cast<off_t>(done));
+            if (count == 0 || (count < 0 && errno != EINTR)) fail("cannot read a file in memory");
+            done += count < 0 ? 0 : static_cast<std::size_t>(count);
+        }
+        return bytes;
+    }
+
+private:
+    int descriptor_;
+};
+
+/// Bytes of address space in use; 0 if the system does not tell.
+std::uint64_t address_space_bytes() noexcept {
+    std::array<char, 64> text{};
+    const int file = open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
+    if (file < 0) return 0;
+    const bool is_read = ::read(file, text.data(), text.size() - 1) > 0;
+    close(file);
+    if (!is_read) return 0;
+    return std::strtoull(text.data(), nullptr, 10) *
+           static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+void limit(__rlimit_resource resource, std::uint64_t soft, std::uint64_t hard) noexcept {
+    rlimit allowed{};
+    if (getrlimit(resource, &allowed) != 0) return;
+    allowed.rlim_cur = std::min<rlim_t>(allowed.rlim_max, soft);
+    allowed.rlim_max = std::min<rlim_t>(allowed.rlim_max, hard);
+    setrlimit(resource, &allowed);
+}
+
+/// In the copy: nothing that it does is to be seen, heard or survive its parent.
+void seclude(const IsolationLimits& limits) noexcept {
+    for (int number = 1; number < NSIG; ++number) {
+        std::signal(number, SIG_DFL);
+    }
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
+    dup2(nowhere, STDOUT_FILENO);
+    dup2(nowhere, STDERR_FILENO);
+    limit(RLIMIT_CORE, 0, 0);
+    limit(RLIMIT_CPU, limits.cpu_seconds, limits.cpu_seconds + 1);
+    const std::uint64_t used = address_space_bytes();
+    if (used > 0) limit(RLIMIT_AS, used + limits.memory_bytes, used + limits.memory_bytes);
+}
+
+/// In the copy: it must not return, for its caller is this process's and not its own.
+[[noreturn]] void work_and_exit(const std::function<std::string()>& work, const MemoryFile& file,
+                                const IsolationLimits& limits) noexcept {
+    seclude(limits);
+    try {
+        if (file.write(work()) && file.write(end_mark)) _exit(0);
+    } catch (...) {  // the exit status says it
+    }
+    _exit(1);
+}
+
+/// Waits for a copy; "" if it ended well.
+std::string wait_for(pid_t process) {
+    int status = 0;
+    pid_t ended = 0;
+    do {
+        ended = waitpid(process, &status, 0);
+    } while (ended < 0 && errno == EINTR);
+    // Who ignores SIGCHLD has no status to wait for.
+    if (ended < 0) return errno == ECHILD ? "" : "cannot be waited for";
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) return "came to no end";
+    if (WIFSIGNALED(status)) {
+        return fmt::format("crashed ({})", sigdescr_np(WTERMSIG(status)));
+    }
+    return WEXITSTATUS(status) == 0 ? "" : "gave up";
+}
+
+}  // namespace
+
+IsolatedResult run_isolated(const std::function<std::string()>& work,
+                            const IsolationLimits& limits) {
+    const MemoryFile file;
+    const pid_t process = fork();
+    if (process < 0) fail("cannot start a process");
+    if (process == 0) work_and_exit(work, file, limits);
+    IsolatedResult result{.failure = wait_for(process)};
+    if (!result.failure.empty()) return result;
+    result.bytes = file.read();
+    if (result.bytes.ends_with(end_mark)) {
+        result.bytes.resize(result.bytes.size() - end_mark.size());
+    } else {
+        result = {.failure = "gave up"};
+    }
+    return result;
+}
+
+}  // namespace coppice

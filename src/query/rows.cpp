@@ -1,0 +1,18 @@
+#include "query/rows.h"
+
+#include "coppice/base/error.h"
+
+#include <fmt/format.h>
+
+namespace coppice {
+
+std::size_t row_length(std::string_view query, std::size_t count, std::size_t room) {
+    if (count == 0 ? room != 0 : room % count != 0) {
+        throw Error(ErrorCode::invalid_argument,
+                    fmt::format("{}: room for {} results cannot be divided among {} queries", query,
+                                room, count));
+    }
+    return count == 0 ? 0 : room / count;
+}
+
+}  // namespace coppice

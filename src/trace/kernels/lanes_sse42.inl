@@ -1,0 +1,94 @@
+// Eight lanes of floats in two 128-bit registers. Part of a kernel source; the twin of
+// lanes_scalar.inl.
+
+struct Lanes {
+    __m128 low;
+    __m128 high;
+};
+
+inline Lanes load(const std::array<float, 8>& from) noexcept {
+    return {_mm_load_ps(from.data()), _mm_load_ps(from.data() + 4)};
+}
+
+inline void store(Lanes lanes, std::array<float, 8>& to) noexcept {
+    _mm_store_ps(to.data(), lanes.low);
+    _mm_store_ps(to.data() + 4, lanes.high);
+}
+
+inline Lanes broadcast(float value) noexcept {
+    return {_mm_set1_ps(value), _mm_set1_ps(value)};
+}
+
+inline Lanes operator+(Lanes a, Lanes b) noexcept {
+    return {_mm_add_ps(a.low, b.low), _mm_add_ps(a.high, b.high)};
+}
+
+inline Lanes operator-(Lanes a, Lanes b) noexcept {
+    return {_mm_sub_ps(a.low, b.low), _mm_sub_ps(a.high, b.high)};
+}
+
+inline Lanes operator*(Lanes a, Lanes b) noexcept {
+    return {_mm_mul_ps(a.low, b.low), _mm_mul_ps(a.high, b.high)};
+}
+
+inline Lanes operator/(Lanes a, Lanes b) noexcept {
+    return {_mm_div_ps(a.low, b.low), _mm_div_ps(a.high, b.high)};
+}
+
+// a * b - c, rounded twice.
+inline Lanes multiply_subtract(Lanes a, Lanes b, Lanes c) noexcept {
+    return a * b - c;
+}
+
+// a - b * c, rounded twice.
+inline Lanes subtract_product(Lanes a, Lanes b, Lanes c) noexcept {
+    return a - b * c;
+}
+
+inline Lanes min(Lanes a, Lanes b) noexcept {
+    return {_mm_min_ps(a.low, b.low), _mm_min_ps(a.high, b.high)};
+}
+
+inline Lanes max(Lanes a, Lanes b) noexcept {
+    return {_mm_max_ps(a.low, b.low), _mm_max_ps(a.high, b.high)};
+}
+
+inline Lanes abs(Lanes a) noexcept {
+    const __m128 sign = _mm_set1_ps(-0.0F);
+    return {_mm_andnot_ps(sign, a.low), _mm_andnot_ps(sign, a.high)};
+}
+
+// A bit for every lane that is set in its sign.
+inline unsigned signs_of(__m128 low, __m128 high) noexcept {
+    return static_cast<unsigned>(_mm_movemask_ps(low) | _mm_movemask_ps(high) << 4);
+}
+
+inline unsigned less_equal(Lanes a, Lanes b) noexcept {
+    return signs_of(_mm_cmple_ps(a.low, b.low), _mm_cmple_ps(a.high, b.high));
+}
+
+inline unsigned less(Lanes a, Lanes b) noexcept {
+    return signs_of(_mm_cmplt_ps(a.low, b.low), _mm_cmplt_ps(a.high, b.high));
+}
+
+// As in lanes_avx2.inl.
+inline Lanes bits_max(Lanes a, Lanes b) noexcept {
+    const auto larger = [](__m128 x, __m128 y) {
+        return _mm_castsi128_ps(_mm_max_epi32(_mm_castps_si128(x), _mm_castps_si128(y)));
+    };
+    return {larger(a.low, b.low), larger(a.high, b.high)};
+}
+
+inline Lanes bits_min(Lanes a, Lanes b) noexcept {
+    const auto smaller = [](__m128 x, __m128 y) {
+        return _mm_castsi128_ps(_mm_min_epi32(_mm_castps_si128(x), _mm_castps_si128(y)));
+    };
+    return {smaller(a.low, b.low), smaller(a.high, b.high)};
+}
+
+inline unsigned bits_less_equal(Lanes a, Lanes b) noexcept {
+    const auto is_greater = [](__m128 x, __m128 y) {
+        return _mm_castsi128_ps(_mm_cmpgt_epi32(_mm_castps_si128(x), _mm_castps_si128(y)));
+    };
+    return signs_of(is_greater(a.low, b.low), is_greater(a.high, b.high)) ^ 0xffU;
+}

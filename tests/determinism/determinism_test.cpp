@@ -1,0 +1,173 @@
+// Trees, results and images are the same to the bit for any number of threads, by every instruction
+// set, and every time; and trees are those of the release before. Eight threads are eight, also on
+// a machine of fewer. The thread sanitizer watches this program (docs/reliability.md).
+
+#include "coppice/base/cpu.h"
+#include "coppice/build/build_tree.h"
+#include "coppice/build/method.h"
+#include "coppice/store/fingerprint.h"
+
+#include "lab/experiment.h"
+#include "lab/lab_scenes.h"
+#include "lab/procedural.h"
+#include "render/integrators/integrators.h"
+#include "render/ray_tracer.h"
+#include "render/render.h"
+#include "store/checksum.h"
+#include "support/isa.h"
+#include "support/more_threads.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace coppice::test {
+namespace {
+
+constexpr std::size_t most_threads = 8;
+
+/// How something may be made that is the same all the same.
+struct Way {
+    int threads;
+    Isa isa;
+};
+
+/// Every number of threads with every instruction set, the last one twice.
+std::vector<Way> all_ways() {
+    std::vector<Way> ways;
+    for (const int threads : {1, 2, 3, 8, 8}) {
+        for (const Isa isa : available_isas()) {
+            ways.push_back({threads, isa});
+        }
+    }
+    return ways;
+}
+
+/// Calls `make(threads)` in all ways; all results must equal the first, which is returned.
+template <typename Make>
+auto made_in_all_ways(Make&& make) {
+    const MoreThreads allowed(most_threads);
+    auto first = make(1);
+    for (const Way& way : all_ways()) {
+        const ForceIsa force(way.isa);
+        EXPECT_TRUE(make(way.threads) == first) << way.threads << " threads, " << name_of(way.isa);
+    }
+    return first;
+}
+
+template <typename Item>
+std::uint64_t hash_of(std::span<const Item> items) {
+    return checksum(std::as_bytes(items));
+}
+
+/// Of all bytes of a tree.
+template <typename Tree>
+std::uint64_t hash_of(const Tree& tree) {
+    std::vector<std::uint64_t> parts{hash_of(tree.nodes()), hash_of(std::span(&tree.bounds(), 1))};
+    if constexpr (std::is_same_v<Tree, KdTree>) {
+        parts.push_back(hash_of(tree.references()));
+    } else {
+        parts.push_back(hash_of(tree.blocks()));
+    }
+    return hash_of(std::span<const std::uint64_t>(parts));
+}
+
+std::uint64_t tree_hash(const Method& method, TriangleMeshView mesh, int threads) {
+    BuildOptions options = method.options();
+    options.threads = threads;
+    options.wide.sampled_from = 0;
+    options.wide.cell_size = 256;
+    return method.tree == TreeKind::kd ? hash_of(build_kd_tree(mesh, options))
+                                       : hash_of(build_wide_bvh(mesh, options));
+}
+
+/// A procedural scene, and what its trees are: the scene itself, since that has sines in it that
+/// another library may round another way; k-d trees of all methods, wide trees of all methods.
+struct Golden {
+    const char* scene;
+    std::uint64_t mesh;
+    std::uint64_t kd;
+    std::uint64_t wide;
+};
+
+void PrintTo(const Golden& golden,  // NOLINT(readability-identifier-naming)
+             std::ostream* stream) {
+    *stream << golden.scene;
+}
+
+class ProceduralScene : public testing::TestWithParam<Golden> {};
+
+// If a change of a builder is meant to change its trees, the new hashes are in the messages.
+TEST_P(ProceduralScene, GivesTheGoldenTreesInAllWays) {
+    const TriangleMesh mesh = lab::make_procedural(GetParam().scene, 6000, 1);
+    const Fingerprint fingerprint = fingerprint_of(mesh.view());
+    EXPECT_EQ(fingerprint.vertex_hash, GetParam().mesh);
+    std::vector<std::uint64_t> kd;
+    std::vector<std::uint64_t> wide;
+    for (const Method& method : method_registry()) {
+        SCOPED_TRACE(method.name);
+        const auto hash =
+            made_in_all_ways([&](int threads) { return tree_hash(method, mesh.view(), threads); });
+        (method.tree == TreeKind::kd ? kd : wide).push_back(hash);
+    }
+    EXPECT_EQ(hash_of(std::span<const std::uint64_t>(kd)), GetParam().kd);
+    EXPECT_EQ(hash_of(std::span<const std::uint64_t>(wide)), GetParam().wide);
+}
+
+TEST_P(ProceduralScene, GivesTheSameImageInAllWays) {
+    const TriangleMesh mesh = lab::make_procedural(GetParam().scene, 2000, 1);
+    const auto camera = render::frame_box(bounds_of(mesh.vertices), {}, 1.5);
+    const MeshAttributes attributes;
+    const render::Lighting lighting{.sky = {.color = Vec3f{1, 1, 1}}};
+    const auto integrator = render::make_path({});
+    made_in_all_ways([&](int threads) {
+        const Method& method = find_method("auto");
+        BuildOptions options = method.options();
+        options.threads = threads;
+        const auto tracer = render::build_tracer(method, options, mesh.view());
+        const render::View view{tracer.get(), mesh.view(), &attributes, &lighting};
+        return render::render(view, camera, *integrator,
+                              {.width = 30, .height = 20, .samples = 2, .threads = threads})
+            .image.pixels;
+    });
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Seed1, ProceduralScene,
+    testing::Values(
+        Golden{"terrain", 13124835991470106110U, 3222360181090808809U, 11269061815362111767U},
+        Golden{"spheres", 7614836570897974840U, 6333108735452159645U, 11382875051964406312U},
+        Golden{"soup", 56903913795368160U, 13858165003774436616U, 18170449835129041412U},
+        Golden{"city", 603665496059988380U, 10116706474838037404U, 5188767768268471406U}),
+    [](const auto& each) { return std::string(each.param.scene); });
+
+/// Rows without times.
+std::string results_text(const std::vector<lab::SceneResult>& scenes) {
+    std::string text;
+    for (const lab::ResultRow& row : scenes.front().rows) {
+        const nlohmann::ordered_json json = lab::row_json(row);
+        for (const auto& [column, value] : json.items()) {
+            if (column.find("seconds") == std::string::npos) text += value.dump() + ' ';
+        }
+    }
+    return text;
+}
+
+TEST(Experiment, GivesTheSameResultsInAllWays) {
+    const lab::test::TemporaryFolder folder;
+    lab::ExperimentOptions options{.scenes = {folder.make_scene("scene.ply", "spheres", 1500)},
+                                   .percents = {100, 10},
+                                   .seed_count = 2};
+    const std::string results = made_in_all_ways([&](int threads) {
+        options.build.threads = threads;
+        return results_text(lab::run_experiment(options));
+    });
+    EXPECT_NE(results, "");
+}
+
+}  // namespace
+}  // namespace coppice::test

@@ -1,0 +1,162 @@
+#include "lab/exhibits.h"
+
+#include "coppice/base/error.h"
+#include "coppice/base/parallel.h"
+#include "coppice/base/timer.h"
+#include "coppice/build/build_tree.h"
+#include "coppice/geom/point_cloud.h"
+#include "coppice/io/load_mesh.h"
+
+#include "lab/protocol.h"
+#include "lab/scene_outline.h"
+#include "lab/scene_picture.h"
+#include "lab/tree_cells.h"
+#include "render/render_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+#include <utility>
+#include <vector>
+
+namespace coppice::lab {
+
+namespace {
+
+constexpr double all_percent = 100.0;
+constexpr std::uint64_t seed = 1;
+constexpr std::size_t most_cells = 1000;  // of a level: more would hide each other
+
+/// Whether `candidate` is the better one to show: a smaller sample, or of equal ones the later.
+bool is_preferred(const Recommendation& candidate, const Recommendation* best) {
+    return best == nullptr || candidate.chosen.percent <= best->chosen.percent;
+}
+
+/// Whether it is a tree by a protocol and the usual sampler: what can be shown.
+bool is_shown(const SceneResult& scene, const ExperimentOptions& options,
+              const Recommendation& recommendation) {
+    const auto& protocols = options.protocols;
+    return recommendation.sampler == scene.rows.front().sampler &&
+           std::find(protocols.begin(), protocols.end(), recommendation.protocol) !=
+               protocols.end();
+}
+
+/// Chooses the trees; tells `exhibits` which.
+void choose_trees(const SceneResult& scene, const ExperimentOptions& options,
+                  report::SceneExhibits& exhibits) {
+    const auto is_triangles = [](const ResultRow& row) { return row.primitives == "triangles"; };
+    const bool has_triangles = std::any_of(scene.rows.begin(), scene.rows.end(), is_triangles);
+    exhibits.kind = name_of(has_triangles ? PrimitiveKind::triangles : PrimitiveKind::points);
+    const Recommendation* best = nullptr;
+    for (const Recommendation& candidate : scene.recommended) {
+        if (candidate.primitives == exhibits.kind && is_shown(scene, options, candidate) &&
+            is_preferred(candidate, best)) {
+            best = &candidate;
+        }
+    }
+    exhibits.full.protocol = best != nullptr ? best->protocol : options.protocols.back();
+    exhibits.is_recommended = best != nullptr && best->chosen.percent < all_percent;
+    double percent = exhibits.is_recommended ? best->chosen.percent : 0.0;
+    if (!exhibits.is_recommended) {
+        for (const ResultRow& row : scene.rows) {
+            if (row.sample_percent < all_percent) percent = std::max(percent, row.sample_percent);
+        }
+    }
+    if (percent > 0.0) exhibits.other = report::TreeName{exhibits.full.protocol, percent};
+}
+
+/// Makes the exhibits of one scene, one after the other.
+class ExhibitMaker {
+public:
+    ExhibitMaker(const SceneResult& scene, const ExperimentOptions& options,
+                 report::SceneExhibits& exhibits)
+        : options_(options),
+          exhibits_(exhibits),
+          sampler_(scene.rows.front().sampler),
+          mesh_(load_mesh(scene.file, nullptr, &attributes_)) {}
+
+    void make() {
+        camera_ = picture_camera(mesh_.vertices);
+        const bool can_be_seen = !mesh_.triangles.empty();
+        if (can_be_seen) {
+            exhibits_.picture_camera = render::camera_text(camera_);
+            exhibits_.picture = render_picture(picture_scene());
+        } else {
+            exhibits_.missing = "A point cloud has no surface to take a picture of.";
+        }
+        make_points();
+        const KdTree full = build(exhibits_.full);
+        KdTree other;
+        if (exhibits_.other) other = build(*exhibits_.other);
+        inspect(full, exhibits_.other ? &other : nullptr);
+        if (!can_be_seen) return;
+        if (exhibits_.kind == name_of(PrimitiveKind::triangles)) {
+            exhibits_.heat_maps =
+                render_heat_maps(picture_scene(), full, exhibits_.other ? &other : nullptr);
+        } else {
+            exhibits_.missing =
+                "There are no trees of triangles here that rays could be sent through.";
+        }
+    }
+
+private:
+    [[nodiscard]] PictureScene picture_scene() const {
+        return {mesh_.view(), &attributes_, camera_, options_.build.threads};
+    }
+
+    void make_points() {
+        if (exhibits_.kind == name_of(PrimitiveKind::points)) {
+            points_ = shuffled_distinct_points(mesh_.vertices, seed);
+        }
+    }
+
+    [[nodiscard]] KdTree build(const report::TreeName& name) const {
+        BuildOptions options =
+            find_protocol(name.protocol).options(options_.build, name.percent / all_percent, seed);
+        options.sample.sampler = sampler_;
+        const PointCloudView points(points_);
+        const TriangleMeshView triangles = mesh_.view();
+        return points_.empty() ? build_kd_tree(triangles, options) : build_kd_tree(points, options);
+    }
+
+    void inspect(const KdTree& full, const KdTree* other) {
+        const SahCostModel& cost = options_.build.cost;
+        report::Inspector inspector;
+        inspector.bounds = bounds_of(mesh_.vertices);
+        inspector.viewpoint = {camera_.eye, camera_.look_at, camera_.up, camera_.fov};
+        inspector.outline = outline_of(mesh_);
+        inspector.full = collect_cells(full, cost, most_cells);
+        if (other != nullptr) inspector.other = collect_cells(*other, cost, most_cells);
+        exhibits_.inspector = std::move(inspector);
+    }
+
+    const ExperimentOptions& options_;
+    report::SceneExhibits& exhibits_;
+    std::string sampler_;
+    MeshAttributes attributes_;
+    TriangleMesh mesh_;
+    std::vector<Vec3f> points_;  // the primitives, if they are points
+    render::Camera camera_;
+};
+
+}  // namespace
+
+report::SceneExhibits make_exhibits(const SceneResult& scene, const ExperimentOptions& options) {
+    report::SceneExhibits exhibits;
+    if (scene.rows.empty()) return exhibits;
+    choose_trees(scene, options, exhibits);
+    const Timer timer;
+    try {
+        run_with_threads(options.build.threads,
+                         [&] { ExhibitMaker(scene, options, exhibits).make(); });
+    } catch (const Error& error) {
+        exhibits.missing = fmt::format("Some pictures could not be made: {}.", error.what());
+    } catch (const std::bad_alloc&) {
+        exhibits.missing = "Some pictures could not be made: there is not enough memory.";
+    }
+    exhibits.seconds = timer.seconds();
+    return exhibits;
+}
+
+}  // namespace coppice::lab

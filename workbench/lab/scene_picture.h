@@ -1,0 +1,34 @@
+#pragma once
+
+#include "coppice/geom/triangle_mesh.h"
+#include "coppice/io/mesh_attributes.h"
+#include "coppice/tree/kd_tree.h"
+
+#include "render/camera.h"
+#include "report/exhibits.h"
+
+#include <span>
+
+namespace coppice::lab {
+
+/// What pictures are taken of: a mesh with at least one triangle.
+struct PictureScene {
+    TriangleMeshView mesh;
+    const MeshAttributes* attributes;
+    render::Camera camera;
+    int threads = 0;  ///< at most so many; 0 = all the hardware has
+};
+
+/// The camera that `coppice render` chooses for such a mesh and a picture like these.
+[[nodiscard]] render::Camera picture_camera(std::span<const Vec3f> vertices);
+
+/// The scene as `coppice render` shows it, in 960 x 540 pixels of 4 samples. Traced with the tree
+/// `fast`, built for it.
+[[nodiscard]] report::Picture render_picture(const PictureScene& scene);
+
+/// What the same camera's rays take in trees over the scene's triangles, in 640 x 360 pixels of 2
+/// samples: of `full` alone or, with `other`, of both on one scale, and the difference.
+[[nodiscard]] report::HeatMaps render_heat_maps(const PictureScene& scene, const KdTree& full,
+                                                const KdTree* other);
+
+}  // namespace coppice::lab
