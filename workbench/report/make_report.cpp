@@ -4,7 +4,9 @@
 #include "report/chart_parts.h"
 #include "report/charts.h"
 #include "report/exhibit_figures.h"
+#include "report/figure.h"
 #include "report/format.h"
+#include "report/laboratory.h"
 #include "report/series.h"
 #include "report/summary.h"
 #include "report/tables.h"
@@ -41,16 +43,6 @@ std::string fill(std::string_view skeleton, const std::map<std::string_view, std
         skeleton.remove_prefix(close + 2);
     }
     return page;
-}
-
-// A chart with its caption; its specification is the JSON script with the id `id`.
-std::string figure(const std::string& id, const std::string& title, const std::string& note,
-                   const json& chart) {
-    return fmt::format(
-        "<figure><figcaption><b>{}</b> {}</figcaption>"
-        "<div class=\"plot\" data-chart=\"{}\" style=\"min-height:{}px\"></div>"
-        "<script type=\"application/json\" class=\"chart\" id=\"{}\">{}</script></figure>\n",
-        title, note, id, chart.at("height").get<int>(), id, script_json(chart));
 }
 
 std::string scene_facts(const json& scene) {
@@ -220,6 +212,7 @@ std::string kind_section(const json& scene, const Series& series, const KindPart
     if (parts.has_thesis) html += "<h4>Beside the thesis’s own numbers</h4>" + comparison(series);
     html += "<h4>Where the time goes</h4>" + stage_figures(series);
     if (has_details(series)) html += "<h4>What a ray meets</h4>" + ray_figures(series);
+    html += make_laboratory(scene, series);
     return html + "<h4>All trees</h4>" + make_rows_table(scene, series) + "</section>\n";
 }
 

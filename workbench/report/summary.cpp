@@ -68,9 +68,12 @@ std::optional<Choice> best_of_kind(const json& scene, const Series& series) {
     std::optional<Choice> best;
     for (const json& row : array_at(scene, "recommended")) {
         const std::optional<double> percent = number_at(row, "sample_percent");
-        if (text_at(row, "primitives") != series.kind || !percent) continue;
-        const Choice choice{&series, text_at(row, "protocol"), *percent,
-                            number_at(row, "relative_cost"), number_at(row, "relative_time")};
+        const std::string line = series.line_of(row);
+        const bool is_here = text_at(row, "primitives") == series.kind &&
+                             std::ranges::count(series.protocols(), line) > 0;
+        if (!is_here || !percent) continue;
+        const Choice choice{&series, line, *percent, number_at(row, "relative_cost"),
+                            number_at(row, "relative_time")};
         const auto rank = [](const Choice& one) {
             return std::pair(one.percent, one.relative_cost.value_or(1.0));
         };
