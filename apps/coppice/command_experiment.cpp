@@ -1,18 +1,17 @@
 // coppice experiment: the thesis's experiment on any scenes; tables on standard output, data and
 // report in a folder.
 
-#include "coppice/build/split_finder.h"
-
-#include "build_arguments.h"
 #include "command.h"
+#include "experiment_arguments.h"
 #include "interrupts.h"
 #include "lab/exhibits.h"
 #include "lab/experiment.h"
+#include "lab/experiment_record.h"
 #include "lab/journal.h"
-#include "lab/named.h"
+#include "lab/machine.h"
 #include "lab/output_folder.h"
 #include "lab/progress_line.h"
-#include "lab/protocol.h"
+#include "lab/rays_text.h"
 #include "lab/result_table.h"
 #include "lab/results_document.h"
 #include "lab/scene_names.h"
@@ -23,77 +22,14 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
-#include <limits>
 #include <memory>
 
 namespace coppice::app {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> output_names{"results.csv", "results.json",
-                                                       "report.html"};
-
-/// The options as the parser fills them in.
-struct Request {
-    std::vector<std::string> scenes;
-    std::string out;
-    std::string resume;
-    double tolerance_percent = 2.0;
-    lab::ExperimentOptions options;
-};
-
-void add_what_to_run(CLI::App& parser, Request& request) {
-    lab::ExperimentOptions& options = request.options;
-    add_list_option(
-        parser,
-        {"--primitives", "LIST", "Trees over points, triangles or both", "points,triangles"},
-        [&options](const std::vector<std::string>& texts) {
-            const auto registry = lab::primitive_kind_registry();
-            options.primitives.clear();
-            for (const std::string& name : parse_list("--primitives", texts, "points,triangles")) {
-                require_name("--primitives", name, names_in(registry));
-                options.primitives.push_back(
-                    lab::find_named(registry, name, "kind of primitive").kind);
-            }
-        });
-    add_names(parser,
-              {"--protocols", "LIST", "How a tree is made from its sample", "fixed,scaled,grown"},
-              options.protocols, names_in(lab::protocol_registry()));
-    add_list_option(parser,
-                    {"--rates", "LIST", "Sample sizes in percent of the primitives, in (0, 100]",
-                     "100,50,40,30,20,10,5,4,3,2,1"},
-                    [&options](const std::vector<std::string>& texts) {
-                        options.percents = parse_percents("--rates", texts);
-                    });
-    add_whole(parser, {"--seeds", "N", "Repeat all with the seeds 1 to N", "1"}, options.seed_count,
-              1, lab::ExperimentOptions::max_seed_count);
-    add_percentage(parser,
-                   {"--tolerance", "PERCENT",
-                    "What a recommended sample's tree may cost more than the full one", "2"},
-                   request.tolerance_percent);
-    add_switch(parser, "--no-pictures",
-               "Leave pictures and tree inspector out of the report: quicker",
-               [&options] { options.report_parts = lab::ReportParts::numbers; });
-}
-
-void add_how_to_build(CLI::App& parser, BuildOptions& build) {
-    add_name(parser,
-             {"--split", "RULE",
-              listing("Where nodes are split", names_in(split_finder_registry())), "sah"},
-             build.split.rule, names_in(split_finder_registry()));
-    add_sampler(parser, build.sample.sampler);
-    add_costs(parser, build.cost);
-    add_whole(parser, {"--max-depth", "N", "No leaf is deeper, 0 to 60", "50"},
-              build.split.max_depth, 0, 60);
-    add_whole(parser, {"--max-leaf", "N", "No node of so few sampled primitives is split", "32"},
-              build.split.max_leaf, 1, std::numeric_limits<std::uint32_t>::max());
-    add_whole(parser,
-              {"--bad-refines", "N", "The N-th split on a path that does not pay is refused", "3"},
-              build.split.bad_refines, 1, std::numeric_limits<int>::max());
-    add_switch(parser, "--no-clip", "Cut boxes at planes instead of triangles (no perfect splits)",
-               [&build] { build.split.clipping = Clipping::bounding_box; });
-    add_threads(parser, build.threads);
-}
+constexpr std::array<std::string_view, 4> output_names{"results.csv", "results.json", "report.html",
+                                                       "experiment.json"};
 
 /// "dragon 12/66: triangles, grown, 20 %, seed 1"
 std::string line_of(const lab::ExperimentProgress& progress) {
@@ -102,15 +38,15 @@ std::string line_of(const lab::ExperimentProgress& progress) {
                        progress.step);
 }
 
-std::vector<lab::OutputFile> make_files(const lab::ExperimentOptions& options,
+std::vector<lab::OutputFile> make_files(const lab::ExperimentRecord& record,
                                         std::span<const lab::SceneResult> results,
-                                        std::span<const report::SceneExhibits> exhibits,
-                                        const std::vector<std::string>& arguments) {
-    const nlohmann::ordered_json document = lab::results_document(options, results, arguments);
-    return {
-        {std::string(output_names[0]), lab::csv_text(results)},
-        {std::string(output_names[1]), document.dump(2) + '\n'},
-        {std::string(output_names[2]), report::make_report(nlohmann::json(document), exhibits)}};
+                                        std::span<const report::SceneExhibits> exhibits) {
+    const lab::ExperimentOptions& options = record.options;
+    const nlohmann::ordered_json document = lab::results_document(options, results, record.command);
+    return {{std::string(output_names[0]), lab::csv_text(results, options.rays)},
+            {std::string(output_names[1]), document.dump(2) + '\n'},
+            {std::string(output_names[2]), report::make_report(nlohmann::json(document), exhibits)},
+            {std::string(output_names[3]), nlohmann::json(record).dump(2) + '\n'}};
 }
 
 /// What the report shows beside numbers, unless it is not wanted.
@@ -127,7 +63,7 @@ std::vector<report::SceneExhibits> make_exhibits(const lab::ExperimentOptions& o
 }
 
 /// Throws UsageError if options were given that are not those of the run to be resumed.
-void require_same_options(const Request& request, const lab::Journal& journal) {
+void require_same_options(const ExperimentRequest& request, const lab::Journal& journal) {
     nlohmann::json given = request.options;
     nlohmann::json begun = journal.options();
     for (nlohmann::json* options : {&given, &begun}) {
@@ -142,20 +78,14 @@ void require_same_options(const Request& request, const lab::Journal& journal) {
 }
 
 /// The run that is to be resumed. Throws UsageError if it is not the one that the options ask for.
-lab::Journal open_journal(const CLI::App& parser, const Request& request) {
+lab::Journal open_journal(const CLI::App& parser, const ExperimentRequest& request) {
     if (!request.out.empty() && request.out != request.resume) {
         throw UsageError("--resume: results go to the folder of the run; leave --out away");
     }
     if (request.scenes.empty()) {
-        for (const CLI::Option* option : parser.get_options({})) {
-            const std::string name = option->get_name();
-            const bool is_own = name == "--resume" || name == "--out";
-            if (option->count() == 0 || is_own) continue;
-            throw UsageError(fmt::format(
-                "{}: --resume goes on with the options that the run was begun with; give no "
-                "others, or all of them and the scenes",
-                name));
-        }
+        refuse_other_options(parser, {"--resume"},
+                             "--resume goes on with the options that the run was begun with; give "
+                             "no others, or all of them and the scenes");
     }
     lab::Journal journal = lab::Journal::open(request.resume);
     if (!request.scenes.empty()) require_same_options(request, journal);
@@ -165,7 +95,7 @@ lab::Journal open_journal(const CLI::App& parser, const Request& request) {
 }
 
 /// The run that begins now.
-lab::Journal begin_journal(Request& request, const std::vector<std::string>& arguments) {
+lab::Journal begin_journal(ExperimentRequest& request, const std::vector<std::string>& arguments) {
     lab::ExperimentOptions& options = request.options;
     options.out = request.out.empty() ? lab::default_output_folder(options.scenes)
                                       : std::filesystem::path(request.out);
@@ -199,19 +129,20 @@ void run_journal(lab::Journal& journal, Output& output) {
         print_message("note: " + note);
     };
     observer.find_finished = [&](const lab::RowKey& key) { return journal.find(key); };
-    observer.on_row = [&](const lab::RowKey& key, const BuildReport& report) {
+    observer.on_row = [&](const lab::RowKey& key, const lab::TreeFigures& figures) {
         const DeferInterrupts whole_line;
-        journal.add(key, report);
+        journal.add(key, figures);
     };
     observer.on_scene = [&](const lab::SceneResult& scene) {
         progress.clear();
         output.print(lab::result_table(scene, options.tolerance) + '\n');
+        const std::string rays = lab::rays_text(scene);
+        if (!rays.empty()) output.print(rays + '\n');
     };
     const std::vector<lab::SceneResult> results = lab::run_experiment(options, observer);
     const auto exhibits = make_exhibits(options, results, progress);
     progress.show("writing the report");
-    const std::vector<lab::OutputFile> files =
-        make_files(options, results, exhibits, journal.command());
+    const std::vector<lab::OutputFile> files = make_files(journal.record(), results, exhibits);
     {
         const DeferInterrupts all_or_none;
         lab::write_all(options.out, files);
@@ -223,10 +154,36 @@ void run_journal(lab::Journal& journal, Output& output) {
     }
 }
 
-void run_request(const CLI::App& parser, Request& request,
+/// Takes over the options of the run that is to be run again. Throws UsageError for what does not
+/// go with that, and like load_record() and require_unchanged().
+void take_replayed(const CLI::App& parser, ExperimentRequest& request) {
+    refuse_other_options(parser, {"--replay", "SCENE"},
+                         "--replay runs again what its file says; give nothing else but --out, and "
+                         "the scenes if they are elsewhere now");
+    lab::ExperimentRecord record = lab::load_record(request.replay);
+    if (!request.scenes.empty() && request.scenes.size() != record.contents.size()) {
+        throw UsageError(fmt::format("--replay: that run is of {} scenes, not {}",
+                                     record.contents.size(), request.scenes.size()));
+    }
+    if (!request.scenes.empty()) {
+        record.options.scenes.assign(request.scenes.begin(), request.scenes.end());
+    }
+    lab::require_unchanged(record, "the run cannot be replayed");
+    if (record.program_version != lab::coppice_version() ||
+        record.git_revision != lab::git_revision()) {
+        print_message(
+            fmt::format("note: {} is of coppice {} ({}), this is {} ({}): results may differ",
+                        request.replay, record.program_version, record.git_revision,
+                        lab::coppice_version(), lab::git_revision()));
+    }
+    if (request.out.empty()) request.out = record.options.out.string() + "-replay";
+    request.options = std::move(record.options);
+}
+
+void run_request(const CLI::App& parser, ExperimentRequest& request,
                  const std::vector<std::string>& arguments, Output& output) {
-    request.options.tolerance = request.tolerance_percent / 100.0;
-    request.options.scenes.assign(request.scenes.begin(), request.scenes.end());
+    finish_options(request);
+    if (!request.replay.empty()) take_replayed(parser, request);
     if (!request.resume.empty() && is_finished(request.resume)) {
         output.print(fmt::format("{}: the experiment is finished\n", request.resume));
         return;
@@ -242,28 +199,22 @@ Command add_experiment(CLI::App& program, const std::vector<std::string>& argume
     CLI::App* parser = program.add_subcommand(
         "experiment", "Build trees from samples of each size, and compare their costs and times");
     parser->allow_extras();
-    const auto request = std::make_shared<Request>();
-    add_scenes(*parser, request->scenes);
-    add_what_to_run(*parser, *request);
-    add_how_to_build(*parser, request->options.build);
-    add_text(*parser,
-             {"--out", "DIR",
-              "Folder for results.csv, results.json and report.html\n"
-              "[default: out/SCENE; for several scenes out/SCENE-and-N-more]",
-              ""},
-             request->out);
-    add_text(*parser,
-             {"--resume", "DIR", "Go on with the experiment in a folder that was cut short", ""},
-             request->resume);
+    const auto request = std::make_shared<ExperimentRequest>();
+    add_experiment_arguments(*parser, *request);
     parser->footer(
         "Examples:\n"
         "  coppice experiment scenes/dragon.obj\n"
         "  coppice experiment scenes/dragon.obj --rates 100,10,1 --seeds 5\n"
         "  coppice experiment a.obj b.ply.gz --protocols grown --primitives triangles\n"
+        "  coppice experiment scenes/dragon.obj --methods exact,binned,fast --rays "
+        "primary,diffuse\n"
         "  coppice experiment --resume out/dragon\n"
-        "The names of rules, samplers and protocols are explained by `coppice list`.");
+        "  coppice experiment --replay out/dragon/experiment.json\n"
+        "The names of rules, samplers, protocols, methods and ray kinds are explained by\n"
+        "`coppice list`.");
     return {parser, [parser, request, arguments](Output& output) {
-                if (request->resume.empty()) require_scenes(*parser, request->scenes);
+                const bool has_scenes = !request->resume.empty() || !request->replay.empty();
+                if (!has_scenes) require_scenes(*parser, request->scenes);
                 wipe_line_on_interrupt();
                 run_request(*parser, *request, arguments, output);
             }};

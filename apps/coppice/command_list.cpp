@@ -43,11 +43,12 @@ std::vector<Section> all_sections() {
         make_section("protocols", "Protocols (--protocols)", lab::protocol_registry()),
         make_section("methods", "Methods (--method, --methods)", method_registry()),
         make_section("integrators", "Integrators (coppice render)", render::integrator_registry()),
-        make_section("peers", "Peers (coppice bench)", lab::peer_registry()),
-        make_section("rays", "Rays (coppice trace; coppice bench: the first three)",
+        make_section("peers", "Peers (coppice bench; coppice experiment --methods)",
+                     lab::peer_registry()),
+        make_section("rays", "Rays (coppice trace, experiment; coppice bench: the first three)",
                      lab::ray_kind_registry()),
         make_section("splits", "Split rules (--split)", split_finder_registry()),
-        make_section("samplers", "Samplers (--sampler)", sampler_registry()),
+        make_section("samplers", "Samplers (--sampler, --samplers)", sampler_registry()),
         make_section("procedural_scenes", "Procedural scenes (coppice generate)",
                      lab::procedural_registry())};
 }

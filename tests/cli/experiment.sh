@@ -14,8 +14,7 @@ gzip scenes/hills.obj
 # The default run: both kinds, three protocols, eleven rates, one seed.
 expect_exit 0 coppice experiment balls.ply
 expect_stderr_empty # and so no progress line
-expect_file out/balls/results.csv out/balls/results.json out/balls/report.html
-expect_equal "$(ls -A out/balls | wc -l)" 3
+expect_equal "$(ls -A out/balls)" $'experiment.json\nreport.html\nresults.csv\nresults.json'
 expect_equal "$(head -1 out/balls/results.csv)" "$header"
 expect_equal "$(wc -l <out/balls/results.csv)" 67
 expect_equal "$(tr -d '\n -~' <<<"$stdout")" '' # no escape codes
@@ -26,7 +25,7 @@ expect_stdout '^balls, points: '
 expect_stdout '^balls, triangles: '
 expect_stdout '^\* recommended: the smallest sample whose cost is within 2 % of the full tree'
 expect_stdout '^knee: .*Kneedle'
-for file in results.csv results.json report.html; do
+for file in results.csv results.json report.html experiment.json; do
     expect_stdout "^written: out/balls/$file$"
 done
 
@@ -68,9 +67,9 @@ print(options)
 print([len(scene["recommended"]) for scene in results["scenes"]], results["command"][1])
 PY
 )" "$(tr -d '\n' <<<"{'bad_refines': 2, 'clipping': 'bounding_box', 'empty_bonus': 0.2, \
-'intersection_cost': 20.0, 'max_depth': 12, 'max_leaf': 4, 'out': 'some/where', \
-'pictures': False, 'primitives': ['points'], 'protocols': ['grown', 'fixed'], 'rates': [0.5, 100.0, 20.0], \
-'sampler': 'uniform', 'seeds': 2, 'split': 'median', 'threads': 1, 'tolerance': 2.0, 'traversal_cost': 15.0}")
+'intersection_cost': 20.0, 'max_depth': 12, 'max_leaf': 4, 'methods': [], 'out': 'some/where', \
+'pictures': False, 'primitives': ['points'], 'protocols': ['grown', 'fixed'], \
+'rates': [0.5, 100.0, 20.0], 'rays': [], 'samplers': ['uniform'], 'seeds': 2, 'split': 'median', 'threads': 1, 'tolerance': 2.0, 'traversal_cost': 15.0}")
 [2, 2] experiment"
 
 # The reference tree is built even if it is not asked for, and this is said.
@@ -85,7 +84,7 @@ coppice experiment balls.ply --no-pictures --rates 100,10 --seeds 2 --threads 1 
 first=$(stable twice/results.csv)
 coppice experiment balls.ply --no-pictures --rates 100,10 --seeds 2 --threads 2 --out twice >/dev/null
 expect_equal "$(stable twice/results.csv)" "$first"
-expect_equal "$(ls -A twice | wc -l)" 3
+expect_equal "$(ls -A twice | wc -l)" 4
 
 # A point cloud: points only, and it says so, unless triangles were asked for.
 printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y

@@ -6,7 +6,7 @@ options=(--no-pictures --rates 50,1 --seeds 2)
 stable() { cut -d, -f1-17,24-25 "$1"; } # all but the times
 
 coppice experiment hills.ply "${options[@]}" --out whole >/dev/null 2>&1
-expect_equal "$(ls -A whole)" $'report.html\nresults.csv\nresults.json'
+expect_equal "$(ls -A whole)" $'experiment.json\nreport.html\nresults.csv\nresults.json'
 
 # Killed after a few trees, in the midst of a line.
 "$COPPICE" experiment hills.ply "${options[@]}" --out killed >/dev/null 2>&1 &
@@ -31,7 +31,7 @@ expect_stderr_one_line
 
 expect_exit 0 coppice experiment --resume killed
 expect_stderr '^coppice: note: killed: [1-9][0-9]* finished trees are not built again$'
-expect_equal "$(ls -A killed)" $'report.html\nresults.csv\nresults.json'
+expect_equal "$(ls -A killed)" $'experiment.json\nreport.html\nresults.csv\nresults.json'
 expect_equal "$(stable killed/results.csv)" "$(stable whole/results.csv)"
 expect_equal "$(python3 - <<'PY'
 import json

@@ -2,6 +2,7 @@
 
 #include "coppice/base/error.h"
 
+#include "lab/contestant.h"
 #include "lab/lab_scenes.h"
 
 #include <gmock/gmock.h>
@@ -176,6 +177,85 @@ TEST(Experiment, ProgressCountsAllTreesAndSaysHowLongTheRestTakes) {
     }
 }
 
+TEST(Experiment, MethodsAndSamplersAreMoreRows) {
+    const TemporaryFolder folder;
+    ExperimentOptions options = small_options(folder.make_scene("hills.ply", "terrain", 400));
+    options.protocols = {"scaled"};
+    options.methods = {"sampled", "binned", "quality"};
+    options.samplers = {"uniform", "weighted"};
+    options.percents = {5, 100};
+    const SceneResult result = run_experiment(options).at(0);
+    std::vector<std::string> keys;
+    for (const ResultRow& row : result.rows) {
+        keys.push_back(key_of(row) + ' ' + row.sampler);
+        EXPECT_EQ(row.report.options.sample.rate,
+                  row.sampler.empty() ? 1.0 : row.sample_percent / 100.0);
+    }
+    // `binned` does not sample, `quality` is over triangles, so few of which it does not sample.
+    EXPECT_THAT(keys, testing::ElementsAre(
+                          "points scaled 1 5 uniform", "points scaled 1 100 uniform",
+                          "points scaled 1 5 weighted", "points scaled 1 100 weighted",
+                          "points sampled 1 5 uniform", "points sampled 1 100 uniform",
+                          "points sampled 1 5 weighted", "points sampled 1 100 weighted",
+                          "points binned 1 100 ", "triangles scaled 1 5 uniform",
+                          "triangles scaled 1 100 uniform", "triangles scaled 1 5 weighted",
+                          "triangles scaled 1 100 weighted", "triangles sampled 1 5 uniform",
+                          "triangles sampled 1 100 uniform", "triangles sampled 1 5 weighted",
+                          "triangles sampled 1 100 weighted", "triangles binned 1 100 ",
+                          "triangles quality 1 100 uniform", "triangles quality 1 100 weighted"));
+    EXPECT_EQ(result.knees.size(), 10U) << "by kind, builder and sampler, where there is one";
+}
+
+TEST(Experiment, AMethodKeepsItsOwnSampler) {
+    const TemporaryFolder folder;
+    ExperimentOptions options = small_options(folder.make_scene("hills.ply", "terrain", 400));
+    options.primitives = {PrimitiveKind::triangles};
+    options.protocols = {"grown"};
+    options.methods = {"fast"};
+    options.percents = {100};
+    options.build.cost.traversal = 15.0;
+    const auto rows = run_experiment(options).at(0).rows;
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_EQ(rows[0].sampler, "uniform");
+    EXPECT_EQ(rows[1].sampler, "weighted");
+    EXPECT_EQ(rows[1].report.options.cost.traversal, 15.0);
+}
+
+TEST(Experiment, RaysAreTracedThroughTreesOfTriangles) {
+    const TemporaryFolder folder;
+    ExperimentOptions options = small_options(folder.make_scene("balls.ply", "spheres", 600));
+    options.methods = {"fast"};
+    options.protocols = {"fixed"};
+    options.percents = {100, 5};
+    options.rays = {RayKind::primary, RayKind::shadow, RayKind::axis};
+    options.size = 16;
+    for (const Peer& peer : peer_registry()) {
+        options.methods.emplace_back(peer.name);
+    }
+    const SceneResult result = run_experiment(options).at(0);
+    ASSERT_TRUE(result.view);
+    EXPECT_TRUE(result.errors.empty());
+    for (const ResultRow& row : result.rows) {
+        ASSERT_EQ(row.rays.size(), row.primitives == "points" ? 0U : 3U);
+        for (const RayFigures& figures : row.rays) {
+            EXPECT_EQ(figures.rays, 256U);
+            if (row.form != TreeForm::peer) {  // Embree misses some of the rays through vertices
+                EXPECT_EQ(figures.mismatches, 0U) << row.protocol;
+            }
+            EXPECT_GT(figures.wall_seconds, 0.0);
+            EXPECT_EQ(figures.steps.has_value(), row.form != TreeForm::peer);
+            if (figures.steps) {
+                EXPECT_GT(figures.steps->nodes + figures.steps->primitives, 0.0);
+            }
+        }
+        EXPECT_EQ(std::isfinite(row.report.statistics.sah_cost), row.form != TreeForm::peer);
+    }
+    EXPECT_GT(result.rows.at(2).rays.at(0).steps->primitives, 0.0);
+    // Five sampled per cent end in larger leaves than all.
+    EXPECT_GT(result.rows.at(3).rays.at(2).steps->primitives,
+              result.rows.at(2).rays.at(2).steps->primitives);
+}
+
 TEST(Experiment, PointCloudRunsPointsOnlyAndSaysSo) {
     const TemporaryFolder folder;
     Told told;
@@ -260,6 +340,11 @@ TEST(Experiment, OptionsOutOfRangeAreRefused) {
     expect_refused([](ExperimentOptions& o) { o.percents = {10, 10}; });
     expect_refused([](ExperimentOptions& o) { o.seed_count = 0; });
     expect_refused([](ExperimentOptions& o) { o.build.split.rule = "best"; });
+    expect_refused([](ExperimentOptions& o) { o.methods = {"auto"}; });
+    expect_refused([](ExperimentOptions& o) { o.methods = {"fast", "fast"}; });
+    expect_refused([](ExperimentOptions& o) { o.samplers = {"unifrom"}; });
+    expect_refused([](ExperimentOptions& o) { o.rays = {RayKind::axis, RayKind::axis}; });
+    expect_refused([](ExperimentOptions& o) { o.size = 0; });
     expect_refused([](ExperimentOptions& o) {
         o.primitives = {PrimitiveKind::points, PrimitiveKind::points};
     });

@@ -129,7 +129,7 @@ TEST(MakeReport, HasAllChartsOfEverySceneAndKind) {
         EXPECT_TRUE(charts.contains(std::string(scene) + "-points-thesis-cost"));
         EXPECT_TRUE(charts.contains(std::string(scene) + "-points-thesis-time"));
     }
-    EXPECT_EQ(charts.size(), 2U * (2U * 15U + 2U));
+    EXPECT_EQ(charts.size(), 2U * (2U * 16U + 2U));
 }
 
 TEST(MakeReport, EveryChartHasAPlaceOnThePage) {
@@ -163,7 +163,7 @@ TEST(MakeReport, EscapesEveryStringOfTheResults) {
     EXPECT_FALSE(contains(markup_of(page), "\"alert("));
     EXPECT_EQ(find_unbalanced_tag(markup_of(page)), "");
     // The charts and the data are still what they were.
-    EXPECT_EQ(charts_of(page).size(), 2U * 14U + 2U);
+    EXPECT_EQ(charts_of(page).size(), 2U * 15U + 2U);
     const std::string open = "<script type=\"application/json\" id=\"results\">";
     const std::size_t begin = page.find(open) + open.size();
     EXPECT_EQ(json::parse(page.substr(begin, page.find("</script>", begin) - begin)), results);
@@ -219,7 +219,7 @@ TEST(MakeReport, TakesTimesOfZero) {
         }
     }
     const std::string page = make_report(results);
-    EXPECT_EQ(charts_of(page).size(), 32U);
+    EXPECT_EQ(charts_of(page).size(), 34U);
     EXPECT_FALSE(contains(markup_of(page), "nan"));
     EXPECT_FALSE(contains(markup_of(page), "inf<"));
 }

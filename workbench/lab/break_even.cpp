@@ -5,7 +5,10 @@
 
 #include "lab/break_even.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 
 namespace coppice::lab {
 
@@ -41,6 +44,14 @@ std::optional<double> break_even(const TimeToImage& a, const TimeToImage& b) noe
     const bool is_trade = (build > 0.0 && ray > 0.0) || (build < 0.0 && ray < 0.0);
     if (!is_trade) return std::nullopt;
     return build / ray;
+}
+
+std::string span_text(const BestSpan& span) {
+    const bool has_end = std::isfinite(span.to);
+    if (span.from == 0.0 && !has_end) return "for any number of rays";
+    if (span.from == 0.0) return fmt::format("up to {:.3g} rays", span.to);
+    if (!has_end) return fmt::format("from {:.3g} rays", span.from);
+    return fmt::format("from {:.3g} to {:.3g} rays", span.from, span.to);
 }
 
 std::vector<BestSpan> best_spans(std::span<const TimeToImage> trees) {

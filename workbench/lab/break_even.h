@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace coppice::lab {
@@ -30,6 +31,9 @@ struct BestSpan {
     double from = 0.0;
     double to = std::numeric_limits<double>::infinity();
 };
+
+/// "up to 2e+06 rays", "from 1e+05 to 2e+06 rays", "for any number of rays".
+[[nodiscard]] std::string span_text(const BestSpan& span);
 
 /// Which of the trees is the fastest for which number of rays: spans that follow one another from
 /// 0 to infinity. Of equal trees the first is taken. Empty if there are no trees.

@@ -33,18 +33,29 @@ bool is_preferred(const Recommendation& candidate, const Recommendation* best) {
     return best == nullptr || candidate.chosen.percent <= best->chosen.percent;
 }
 
+/// Whether it is a tree by a protocol and the usual sampler: what can be shown.
+bool is_shown(const SceneResult& scene, const ExperimentOptions& options,
+              const Recommendation& recommendation) {
+    const auto& protocols = options.protocols;
+    return recommendation.sampler == scene.rows.front().sampler &&
+           std::find(protocols.begin(), protocols.end(), recommendation.protocol) !=
+               protocols.end();
+}
+
 /// Chooses the trees; tells `exhibits` which.
-void choose_trees(const SceneResult& scene, report::SceneExhibits& exhibits) {
+void choose_trees(const SceneResult& scene, const ExperimentOptions& options,
+                  report::SceneExhibits& exhibits) {
     const auto is_triangles = [](const ResultRow& row) { return row.primitives == "triangles"; };
     const bool has_triangles = std::any_of(scene.rows.begin(), scene.rows.end(), is_triangles);
     exhibits.kind = name_of(has_triangles ? PrimitiveKind::triangles : PrimitiveKind::points);
     const Recommendation* best = nullptr;
     for (const Recommendation& candidate : scene.recommended) {
-        if (candidate.primitives == exhibits.kind && is_preferred(candidate, best)) {
+        if (candidate.primitives == exhibits.kind && is_shown(scene, options, candidate) &&
+            is_preferred(candidate, best)) {
             best = &candidate;
         }
     }
-    exhibits.full.protocol = best != nullptr ? best->protocol : scene.rows.back().protocol;
+    exhibits.full.protocol = best != nullptr ? best->protocol : options.protocols.back();
     exhibits.is_recommended = best != nullptr && best->chosen.percent < all_percent;
     double percent = exhibits.is_recommended ? best->chosen.percent : 0.0;
     if (!exhibits.is_recommended) {
@@ -62,15 +73,15 @@ public:
                  report::SceneExhibits& exhibits)
         : options_(options),
           exhibits_(exhibits),
+          sampler_(scene.rows.front().sampler),
           mesh_(load_mesh(scene.file, nullptr, &attributes_)) {}
 
     void make() {
-        camera_ = picture_camera(mesh_.vertices);
         const bool can_be_seen = !mesh_.triangles.empty();
         if (can_be_seen) {
-            exhibits_.picture_camera = render::camera_text(camera_);
-            exhibits_.picture = render_picture(picture_scene());
+            take_picture();
         } else {
+            camera_ = render::frame_points(mesh_.vertices, {}, 1.0);
             exhibits_.missing = "A point cloud has no surface to take a picture of.";
         }
         make_points();
@@ -93,6 +104,13 @@ private:
         return {mesh_.view(), &attributes_, camera_, options_.build.threads};
     }
 
+    void take_picture() {
+        const auto tracer = picture_tracer(mesh_.view(), options_.build.threads);
+        camera_ = picture_camera(mesh_.view(), *tracer);
+        exhibits_.picture_camera = render::camera_text(camera_);
+        exhibits_.picture = render_picture(picture_scene(), *tracer);
+    }
+
     void make_points() {
         if (exhibits_.kind == name_of(PrimitiveKind::points)) {
             points_ = shuffled_distinct_points(mesh_.vertices, seed);
@@ -100,8 +118,9 @@ private:
     }
 
     [[nodiscard]] KdTree build(const report::TreeName& name) const {
-        const BuildOptions options =
+        BuildOptions options =
             find_protocol(name.protocol).options(options_.build, name.percent / all_percent, seed);
+        options.sample.sampler = sampler_;
         const PointCloudView points(points_);
         const TriangleMeshView triangles = mesh_.view();
         return points_.empty() ? build_kd_tree(triangles, options) : build_kd_tree(points, options);
@@ -120,6 +139,7 @@ private:
 
     const ExperimentOptions& options_;
     report::SceneExhibits& exhibits_;
+    std::string sampler_;
     MeshAttributes attributes_;
     TriangleMesh mesh_;
     std::vector<Vec3f> points_;  // the primitives, if they are points
@@ -131,7 +151,7 @@ private:
 report::SceneExhibits make_exhibits(const SceneResult& scene, const ExperimentOptions& options) {
     report::SceneExhibits exhibits;
     if (scene.rows.empty()) return exhibits;
-    choose_trees(scene, exhibits);
+    choose_trees(scene, options, exhibits);
     const Timer timer;
     try {
         run_with_threads(options.build.threads,

@@ -1,73 +1,25 @@
-// The loops of the experiment. Rows are measured one after another, alone on the machine; between
-// two builds nothing is kept but the mesh, the points of the current seed and the reports.
+// Scene after scene: loading, planning, the trees (scene_trees.cpp), and what is found from them.
 
 #include "lab/experiment.h"
 
 #include "coppice/base/error.h"
-#include "coppice/base/parallel.h"
-#include "coppice/base/timer.h"
-#include "coppice/build/build_tree.h"
-#include "coppice/geom/point_cloud.h"
 
-#include "lab/protocol.h"
+#include "lab/builders.h"
 #include "lab/recommend.h"
-#include "lab/remaining_time.h"
 #include "lab/scene_names.h"
+#include "lab/scene_rays.h"
+#include "lab/scene_trees.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace coppice::lab {
 
 namespace {
 
-constexpr double all_percent = 100.0;
-
-/// What is known of a scene before its trees are built.
-struct SceneFile {
-    std::string name;
-    std::filesystem::path file;
-    std::vector<PrimitiveKind> kinds;
-    std::uint64_t vertex_count = 0;
-    std::uint64_t triangle_count = 0;
-};
-
-/// What all scenes of a run share.
-struct Run {
-    const ExperimentOptions& options;
-    const ExperimentObserver& observer;
-    RemainingTime remaining;
-
-    void tell(const ExperimentProgress& progress) const {
-        if (observer.on_progress) observer.on_progress(progress);
-    }
-
-    void note(const std::string& text) const {
-        if (observer.on_note) observer.on_note(text);
-    }
-
-    [[nodiscard]] bool lists_all_percent() const {
-        return std::count(options.percents.begin(), options.percents.end(), all_percent) > 0;
-    }
-
-    /// The percentages to build, the reference first.
-    [[nodiscard]] std::vector<double> build_order() const {
-        std::vector<double> order{all_percent};
-        std::copy_if(options.percents.begin(), options.percents.end(), std::back_inserter(order),
-                     [](double percent) { return percent != all_percent; });
-        return order;
-    }
-};
-
-double ratio(double value, double reference) {
-    if (value == reference) return 1.0;
-    return reference > 0.0 ? value / reference : std::numeric_limits<double>::quiet_NaN();
-}
-
 /// The kinds of primitives to run on a mesh: those asked for, or those that it has.
-std::vector<PrimitiveKind> kinds_for(const Run& run, const std::filesystem::path& file,
+std::vector<PrimitiveKind> kinds_for(const ExperimentRun& run, const std::filesystem::path& file,
                                      const TriangleMesh& mesh) {
     const auto fail = [&](const char* what) {
         throw file_error(ErrorCode::unsupported, file.string(), what);
@@ -88,139 +40,79 @@ std::vector<PrimitiveKind> kinds_for(const Run& run, const std::filesystem::path
     return {PrimitiveKind::points};
 }
 
-void plan_work(Run& run, const SceneFile& scene) {
+void plan_work(ExperimentRun& run, const SceneFile& scene) {
     for (const PrimitiveKind kind : scene.kinds) {
-        const auto count =
-            kind == PrimitiveKind::points ? scene.vertex_count : scene.triangle_count;
-        for (const std::string& protocol : run.options.protocols) {
-            for (const double percent : run.build_order()) {
-                run.remaining.plan(
-                    work_of_build({kind, protocol, percent, static_cast<double>(count)}) *
-                    run.options.seed_count);
+        const double count = scene.count_of(kind);
+        for (const Builder& builder : run.builders) {
+            if (!is_built_over(builder, kind)) continue;
+            for (const double percent : run.build_order(builder)) {
+                const double work = work_of_build({kind, builder.name, percent, count});
+                run.remaining.plan(work * run.options.seed_count *
+                                   static_cast<double>(builder.samplers.size()));
             }
         }
     }
 }
 
-/// The trees of one scene.
-class SceneRun {
-public:
-    SceneRun(Run& run, const SceneFile& scene, const TriangleMesh& mesh, SceneResult& result)
-        : run_(run), scene_(scene), mesh_(mesh), result_(result) {
-        for (const double percent : run.options.percents) {
-            listed_.push_back(percent);
+/// From where the rays of a scene come; nothing if there are none.
+std::optional<RayOptions> view_of(const ExperimentRun& run, const SceneFile& scene,
+                                  const TriangleMesh& mesh) {
+    const ExperimentOptions& options = run.options;
+    const auto& kinds = scene.kinds;
+    const bool has_triangles =
+        std::find(kinds.begin(), kinds.end(), PrimitiveKind::triangles) != kinds.end();
+    if (options.rays.empty() || !has_triangles) return std::nullopt;
+    const Aabb box = bounds_of(mesh.vertices);
+    const render::Camera camera = render::frame_box(box, options.camera, 1.0);
+    return RayOptions{camera, render::place_light(camera, box), options.size, 1};
+}
+
+/// What of a scene's kinds the options cannot be applied to.
+void note_what_is_left_out(const ExperimentRun& run, const SceneFile& scene) {
+    const bool has_triangles = std::find(scene.kinds.begin(), scene.kinds.end(),
+                                         PrimitiveKind::triangles) != scene.kinds.end();
+    if (has_triangles) return;
+    if (!run.options.rays.empty()) {
+        run.note(scene.name + ": points are not traced: there are no figures of rays");
+    }
+    for (const Builder& builder : run.builders) {
+        if (is_built_over(builder, PrimitiveKind::points)) continue;
+        run.note(fmt::format("{}: {} is built over triangles only: there are no rows of it",
+                             scene.name, builder.name));
+    }
+}
+
+/// Hits that differ from the reference's are our error, unless a peer finds them.
+std::vector<std::string> find_errors(const SceneResult& scene) {
+    std::vector<std::string> errors;
+    for (const ResultRow& row : scene.rows) {
+        for (const RayFigures& figures : row.rays) {
+            if (figures.mismatches == 0 || row.form == TreeForm::peer) continue;
+            errors.push_back(fmt::format(
+                "{}, {}, {} %, seed {}: {} of {} {} rays hit something else than those of the "
+                "reference ({})",
+                row.protocol, row.sampler, row.sample_percent, row.seed, figures.mismatches,
+                figures.rays, name_of(figures.kind), SceneRays::reference_method()));
         }
-        row_count_ = scene.kinds.size() * run.options.protocols.size() *
-                     static_cast<std::size_t>(run.options.seed_count) * run.build_order().size();
     }
+    return errors;
+}
 
-    void run_all() {
-        for (const PrimitiveKind kind : scene_.kinds) {
-            for (const std::string& protocol : run_.options.protocols) {
-                for (int seed = 1; seed <= run_.options.seed_count; ++seed) {
-                    run_rates(kind, find_protocol(protocol), static_cast<std::uint64_t>(seed));
-                }
-            }
-        }
-    }
-
-private:
-    /// The rows of one kind, protocol and seed: built with the reference first, listed as asked.
-    void run_rates(PrimitiveKind kind, const Protocol& protocol, std::uint64_t seed) {
-        std::vector<ResultRow> rows(listed_.size());
-        BuildReport reference;
-        for (const double percent : run_.build_order()) {
-            const BuildReport report = build(kind, protocol, seed, percent);
-            if (percent == all_percent) reference = report;
-            const auto place = std::find(listed_.begin(), listed_.end(), percent);
-            if (place == listed_.end()) continue;
-            rows[static_cast<std::size_t>(place - listed_.begin())] = {
-                scene_.name,
-                std::string(name_of(kind)),
-                std::string(protocol.name),
-                percent,
-                seed,
-                report,
-                ratio(report.statistics.sah_cost, reference.statistics.sah_cost),
-                ratio(report.stages.wall_seconds(), reference.stages.wall_seconds())};
-        }
-        std::move(rows.begin(), rows.end(), std::back_inserter(result_.rows));
-    }
-
-    BuildReport build(PrimitiveKind kind, const Protocol& protocol, std::uint64_t seed,
-                      double percent) {
-        std::string step =
-            fmt::format("{}, {}, {} %, seed {}", name_of(kind), protocol.name, percent, seed);
-        run_.tell({scene_.name, std::move(step), rows_done_, row_count_, run_.remaining.seconds()});
-        const BuildOptions options = protocol.options(run_.options.build, percent / 100.0, seed);
-        const bool is_points = kind == PrimitiveKind::points;
-        const auto planned =
-            static_cast<double>(is_points ? scene_.vertex_count : scene_.triangle_count);
-        const double work = work_of_build({kind, std::string(protocol.name), percent, planned});
-        const RowKey key{scene_.name, std::string(name_of(kind)), std::string(protocol.name),
-                         percent, seed};
-        if (const auto finished = find_finished(key, options)) {
-            run_.remaining.plan(-work);
-            if (is_points) result_.distinct_vertex_count = finished->primitive_count;
-            ++rows_done_;
-            return *finished;
-        }
-        if (is_points) update_points(seed);
-        const PointCloudView points(points_);
-        const TriangleMeshView triangles = mesh_.view();
-        const Timer timer;
-        BuildReport report;
-        // The tree is freed here: only what it measured is kept.
-        static_cast<void>(build_kd_tree(
-            is_points ? PrimitiveSetView(points) : PrimitiveSetView(triangles), options, &report));
-        run_.remaining.finish(work, timer.seconds());
-        ++rows_done_;
-        if (run_.observer.on_row) run_.observer.on_row(key, report);
-        return report;
-    }
-
-    [[nodiscard]] std::optional<BuildReport> find_finished(const RowKey& key,
-                                                           const BuildOptions& options) const {
-        if (!run_.observer.find_finished) return std::nullopt;
-        std::optional<BuildReport> report = run_.observer.find_finished(key);
-        if (report) report->options = options;
-        return report;
-    }
-
-    void update_points(std::uint64_t seed) {
-        if (points_seed_ == seed) return;
-        points_ = {};  // freed before the next are made
-        run_with_threads(run_.options.build.threads,
-                         [&] { points_ = shuffled_distinct_points(mesh_.vertices, seed); });
-        points_seed_ = seed;
-        result_.distinct_vertex_count = points_.size();
-    }
-
-    Run& run_;
-    const SceneFile& scene_;
-    const TriangleMesh& mesh_;
-    SceneResult& result_;
-    std::vector<double> listed_;
-    std::vector<Vec3f> points_;  // of points_seed_
-    std::uint64_t points_seed_ = 0;
-    std::size_t rows_done_ = 0;
-    std::size_t row_count_ = 0;
-};
-
-TriangleMesh load_scene(Run& run, SceneFile& scene, LoadReport& report) {
+TriangleMesh load_scene(ExperimentRun& run, SceneFile& scene, LoadReport& report) {
     run.tell({scene.name, "loading", 0, 0, run.remaining.seconds()});
     return load_mesh(scene.file, &report);
 }
 
 /// Notes what is known of a loaded scene, and the work it will be.
-void inspect(Run& run, SceneFile& scene, const TriangleMesh& mesh) {
+void inspect(ExperimentRun& run, SceneFile& scene, const TriangleMesh& mesh) {
     scene.kinds = kinds_for(run, scene.file, mesh);
     scene.vertex_count = mesh.vertices.size();
     scene.triangle_count = mesh.triangles.size();
+    note_what_is_left_out(run, scene);
     plan_work(run, scene);
 }
 
-SceneResult run_scene(Run& run, const SceneFile& scene, const TriangleMesh& mesh,
+SceneResult run_scene(ExperimentRun& run, const SceneFile& scene, const TriangleMesh& mesh,
                       LoadReport load_report) {
     SceneResult result;
     result.scene = scene.name;
@@ -229,7 +121,12 @@ SceneResult run_scene(Run& run, const SceneFile& scene, const TriangleMesh& mesh
     result.vertex_count = scene.vertex_count;
     result.triangle_count = scene.triangle_count;
     result.bounds = bounds_of(mesh.vertices);
-    SceneRun(run, scene, mesh, result).run_all();
+    result.view = view_of(run, scene, mesh);
+    run_scene_trees(run, scene, mesh, result);
+    result.errors = find_errors(result);
+    for (const std::string& error : result.errors) {
+        run.note("ERROR: " + scene.name + ": " + error);
+    }
     const std::vector<RateSummary> summaries = summarize_seeds(result.rows);
     result.recommended = recommend(summaries, run.options.tolerance);
     result.knees = find_knees(summaries);
@@ -241,7 +138,7 @@ SceneResult run_scene(Run& run, const SceneFile& scene, const TriangleMesh& mesh
 std::vector<SceneResult> run_experiment(const ExperimentOptions& options,
                                         const ExperimentObserver& observer) {
     check(options);
-    Run run{options, observer, {}};
+    ExperimentRun run{options, observer, builders_of(options), {}};
     if (!run.lists_all_percent()) {
         run.note(
             "100 % is not among the rates; its tree is built all the same, as the reference "

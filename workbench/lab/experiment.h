@@ -26,14 +26,16 @@ struct ExperimentObserver {
     std::function<void(const SceneResult&)> on_scene;  ///< when all rows of a scene are there
     std::function<void(const std::string&)> on_note;   ///< one line that the user should know
     /// When a tree is measured; also for the reference that is not listed.
-    std::function<void(const RowKey&, const BuildReport&)> on_row;
-    /// What a tree measured that need not be built again, as an earlier run has.
-    std::function<std::optional<BuildReport>(const RowKey&)> find_finished;
+    std::function<void(const RowKey&, const TreeFigures&)> on_row;
+    /// What was measured of a tree that need not be built again, as an earlier run has.
+    std::function<std::optional<TreeFigures>(const RowKey&)> find_finished;
 };
 
-/// Runs the experiment: for every scene, kind of primitive, protocol, seed and rate it builds the
-/// tree, measures it and frees it. The 100 % tree of a scene, kind, protocol and seed is always
-/// built, first, because costs are relative to it; it is a row only if 100 is among the rates.
+/// Runs the experiment: for every scene, kind of primitive, builder, sampler, seed and rate it
+/// builds the tree, measures it, traces rays if any are asked for, and frees it. The 100 % tree is
+/// always built, first, because costs are relative to it; it is a row only if 100 is among the
+/// rates. A builder that does not sample has only that one, and wide trees and peers are of
+/// triangles. Of the rates of a wide tree that come to the same sample only the first is a row.
 /// If there are several scenes all are loaded once before the first tree, so that a broken file
 /// is found in time. Only one scene is in memory at a time.
 /// Throws Error(invalid_argument) for options out of range, Error(unsupported) for a kind of

@@ -5,8 +5,8 @@
 #include "coppice/build/split_finder.h"
 #include "coppice/sample/sampler.h"
 
+#include "lab/builders.h"
 #include "lab/named.h"
-#include "lab/protocol.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -18,6 +18,8 @@
 namespace coppice::lab {
 
 namespace {
+
+using nlohmann::json;
 
 constexpr std::array<PrimitiveKindEntry, 2> kinds{{
     {"points", "the mesh's distinct vertices, shuffled: the thesis's primitives",
@@ -57,6 +59,57 @@ std::vector<std::string_view> kind_names(const std::vector<PrimitiveKind>& primi
     return names;
 }
 
+std::vector<std::string_view> ray_names(const std::vector<RayKind>& rays) {
+    std::vector<std::string_view> names;
+    names.reserve(rays.size());
+    for (const RayKind kind : rays) {
+        names.push_back(name_of(kind));
+    }
+    return names;
+}
+
+/// The samplers of protocols.
+std::vector<std::string> resolved_samplers(const ExperimentOptions& options) {
+    if (!options.samplers.empty()) return options.samplers;
+    return {std::string(sampler_registry().front().name)};
+}
+
+/// How many rays there are, and what is given of where they come from.
+void put_view(const ExperimentOptions& options, json& to) {
+    to["size"] = options.size;
+    to["fov"] = options.camera.fov;
+    const auto put = [&](const char* key, const std::optional<Vec3f>& v) {
+        if (v) to[key] = {v->x, v->y, v->z};
+    };
+    put("eye", options.camera.eye);
+    put("look_at", options.camera.look_at);
+    put("up", options.camera.up);
+}
+
+void read_view(const json& from, ExperimentOptions& options) {
+    from.at("size").get_to(options.size);
+    from.at("fov").get_to(options.camera.fov);
+    const auto read = [&](const char* key) -> std::optional<Vec3f> {
+        if (!from.contains(key)) return std::nullopt;
+        const json& v = from.at(key);
+        return Vec3f{v.at(0), v.at(1), v.at(2)};
+    };
+    options.camera.eye = read("eye");
+    options.camera.look_at = read("look_at");
+    options.camera.up = read("up");
+}
+
+/// Reads names and finds each in a registry; `kind_of` takes what is wanted of an entry.
+template <typename Entry, typename Kind>
+std::vector<Kind> read_kinds(const json& names, std::span<const Entry> registry, const char* what,
+                             Kind Entry::*kind) {
+    std::vector<Kind> read;
+    for (const json& name : names) {
+        read.push_back(find_named(registry, name.get<std::string>(), what).*kind);
+    }
+    return read;
+}
+
 /// A share in percent, with the digits that were given: 0.07 * 100 is not 7.
 double percent_of(double share) {
     return std::nearbyint(share * 1e14) / 1e12;
@@ -84,10 +137,14 @@ std::string_view name_of(PrimitiveKind kind) noexcept {
 void check(const ExperimentOptions& options) {
     if (options.scenes.empty()) fail("an experiment needs at least one scene");
     if (options.protocols.empty()) fail("an experiment needs at least one protocol");
-    for (const std::string& name : options.protocols) {
-        static_cast<void>(find_protocol(name));
+    static_cast<void>(builders_of(options));
+    for (const std::string& name : options.samplers) {
+        static_cast<void>(find_sampler(name));
     }
     if (has_duplicates(options.protocols)) fail("a protocol is given twice");
+    if (has_duplicates(options.methods)) fail("a method is given twice");
+    if (has_duplicates(options.samplers)) fail("a sampler is given twice");
+    if (has_duplicates(options.rays)) fail("a kind of rays is given twice");
     if (has_duplicates(options.primitives)) fail("a kind of primitive is given twice");
     check_percents(options.percents);
     if (options.seed_count < 1 || options.seed_count > ExperimentOptions::max_seed_count) {
@@ -97,60 +154,75 @@ void check(const ExperimentOptions& options) {
     if (!(options.tolerance >= 0.0) || !std::isfinite(options.tolerance)) {
         fail(fmt::format("the tolerance {} is not finite and >= 0", options.tolerance));
     }
+    if (options.size < 1 || options.size > ExperimentOptions::max_size) {
+        fail(fmt::format("size {} is outside [1, {}]", options.size, ExperimentOptions::max_size));
+    }
     check(options.build);
 }
 
-void to_json(nlohmann::json& json, const ExperimentOptions& options) {
+void to_json(json& to, const ExperimentOptions& options) {
     const BuildOptions& build = options.build;
-    json = {{"scenes", path_names(options.scenes)},
-            {"primitives", kind_names(options.primitives)},
-            {"protocols", options.protocols},
-            {"rates", options.percents},
-            {"split", build.split.rule},
-            {"sampler", build.sample.sampler},
-            {"seeds", options.seed_count},
-            {"tolerance", percent_of(options.tolerance)},
-            {"traversal_cost", build.cost.traversal},
-            {"intersection_cost", build.cost.intersection},
-            {"empty_bonus", build.cost.empty_bonus},
-            {"max_depth", build.split.max_depth},
-            {"max_leaf", build.split.max_leaf},
-            {"bad_refines", build.split.bad_refines},
-            {"clipping", name_of(build.split.clipping)},
-            {"threads", build.threads > 0 ? build.threads : hardware_thread_count()},
-            {"pictures", options.report_parts == ReportParts::all},
-            {"out", options.out.string()}};
+    to = {{"scenes", path_names(options.scenes)},
+          {"primitives", kind_names(options.primitives)},
+          {"protocols", options.protocols},
+          {"methods", options.methods},
+          {"samplers", resolved_samplers(options)},
+          {"rates", options.percents},
+          {"rays", ray_names(options.rays)},
+          {"split", build.split.rule},
+          {"seeds", options.seed_count},
+          {"tolerance", percent_of(options.tolerance)},
+          {"traversal_cost", build.cost.traversal},
+          {"intersection_cost", build.cost.intersection},
+          {"empty_bonus", build.cost.empty_bonus},
+          {"max_depth", build.split.max_depth},
+          {"max_leaf", build.split.max_leaf},
+          {"bad_refines", build.split.bad_refines},
+          {"clipping", name_of(build.split.clipping)},
+          {"threads", build.threads > 0 ? build.threads : hardware_thread_count()},
+          {"pictures", options.report_parts == ReportParts::all},
+          {"out", options.out.string()}};
+    if (!options.rays.empty()) put_view(options, to);
 }
 
-ExperimentOptions experiment_options_of(const nlohmann::json& json) {
+json given_options_json(const ExperimentOptions& options) {
+    json given = options;
+    if (options.primitives.empty()) given["primitives"] = json::array();
+    given["samplers"] = options.samplers;
+    given["threads"] = options.build.threads;
+    return given;
+}
+
+ExperimentOptions experiment_options_of(const json& from) {
     ExperimentOptions options;
-    for (const nlohmann::json& scene : json.at("scenes")) {
+    for (const json& scene : from.at("scenes")) {
         options.scenes.emplace_back(scene.get<std::string>());
     }
-    for (const nlohmann::json& name : json.at("primitives")) {
-        options.primitives.push_back(
-            find_named(primitive_kind_registry(), name.get<std::string>(), "kind of primitive")
-                .kind);
-    }
-    json.at("protocols").get_to(options.protocols);
-    json.at("rates").get_to(options.percents);
-    json.at("seeds").get_to(options.seed_count);
-    options.tolerance = json.at("tolerance").get<double>() / 100.0;
+    options.primitives = read_kinds(from.at("primitives"), primitive_kind_registry(),
+                                    "kind of primitive", &PrimitiveKindEntry::kind);
+    from.at("protocols").get_to(options.protocols);
+    from.at("methods").get_to(options.methods);
+    from.at("samplers").get_to(options.samplers);
+    from.at("rates").get_to(options.percents);
+    options.rays =
+        read_kinds(from.at("rays"), ray_kind_registry(), "kind of rays", &RayKindEntry::kind);
+    if (!options.rays.empty()) read_view(from, options);
+    from.at("seeds").get_to(options.seed_count);
+    options.tolerance = from.at("tolerance").get<double>() / 100.0;
     BuildOptions& build = options.build;
-    json.at("split").get_to(build.split.rule);
-    json.at("sampler").get_to(build.sample.sampler);
-    json.at("traversal_cost").get_to(build.cost.traversal);
-    json.at("intersection_cost").get_to(build.cost.intersection);
-    json.at("empty_bonus").get_to(build.cost.empty_bonus);
-    json.at("max_depth").get_to(build.split.max_depth);
-    json.at("max_leaf").get_to(build.split.max_leaf);
-    json.at("bad_refines").get_to(build.split.bad_refines);
-    const bool is_clipped = json.at("clipping") == name_of(Clipping::perfect);
+    from.at("split").get_to(build.split.rule);
+    from.at("traversal_cost").get_to(build.cost.traversal);
+    from.at("intersection_cost").get_to(build.cost.intersection);
+    from.at("empty_bonus").get_to(build.cost.empty_bonus);
+    from.at("max_depth").get_to(build.split.max_depth);
+    from.at("max_leaf").get_to(build.split.max_leaf);
+    from.at("bad_refines").get_to(build.split.bad_refines);
+    const bool is_clipped = from.at("clipping") == name_of(Clipping::perfect);
     build.split.clipping = is_clipped ? Clipping::perfect : Clipping::bounding_box;
-    json.at("threads").get_to(build.threads);
-    const bool has_pictures = json.at("pictures").get<bool>();
+    from.at("threads").get_to(build.threads);
+    const bool has_pictures = from.at("pictures").get<bool>();
     options.report_parts = has_pictures ? ReportParts::all : ReportParts::numbers;
-    options.out = json.at("out").get<std::string>();
+    options.out = from.at("out").get<std::string>();
     return options;
 }
 

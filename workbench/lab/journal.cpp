@@ -7,6 +7,8 @@
 #include "coppice/base/error.h"
 #include "coppice/io/write_file.h"
 
+#include "lab/named.h"
+
 #include <fcntl.h>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -24,20 +26,11 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int format_version = 1;
+constexpr int format_version = 2;
 
 [[noreturn]] void fail(const std::filesystem::path& path, const char* what) {
     throw file_error(ErrorCode::io, path.string(),
                      what + std::string(": ") + std::generic_category().message(errno));
-}
-
-std::vector<std::uintmax_t> sizes_of(const std::vector<std::filesystem::path>& files) {
-    std::vector<std::uintmax_t> sizes;
-    for (const std::filesystem::path& file : files) {
-        std::error_code ignored;  // loading says what is wrong with it
-        sizes.push_back(std::filesystem::file_size(file, ignored));
-    }
-    return sizes;
 }
 
 StageReport read_stage(const json& stages, const char* name) {
@@ -85,10 +78,52 @@ BuildReport read_report(const json& from) {
     return report;
 }
 
-std::string row_line(const RowKey& key, const BuildReport& report) {
-    const json row{{"scene", key.scene},       {"primitives", key.primitives},
-                   {"protocol", key.protocol}, {"sample_percent", key.sample_percent},
-                   {"seed", key.seed},         {"report", report}};
+json rays_json(const RayFigures& figures) {
+    json rays{{"kind", name_of(figures.kind)},
+              {"rays", figures.rays},
+              {"wall_seconds", figures.wall_seconds},
+              {"mismatches", figures.mismatches}};
+    if (!figures.steps) return rays;
+    rays["nodes"] = figures.steps->nodes;
+    rays["leaves"] = figures.steps->leaves;
+    rays["primitives"] = figures.steps->primitives;
+    return rays;
+}
+
+RayFigures read_rays(const json& from) {
+    RayFigures figures;
+    figures.kind =
+        find_named(ray_kind_registry(), from.at("kind").get<std::string>(), "kind of rays").kind;
+    from.at("rays").get_to(figures.rays);
+    from.at("wall_seconds").get_to(figures.wall_seconds);
+    from.at("mismatches").get_to(figures.mismatches);
+    if (from.contains("nodes")) {
+        figures.steps = {from.at("nodes"), from.at("leaves"), from.at("primitives")};
+    }
+    return figures;
+}
+
+TreeFigures read_figures(const json& row) {
+    TreeFigures figures{read_report(row.at("report")), row.at("unsampled_tests"), {}};
+    for (const json& rays : row.at("rays")) {
+        figures.rays.push_back(read_rays(rays));
+    }
+    return figures;
+}
+
+std::string row_line(const RowKey& key, const TreeFigures& figures) {
+    json row{{"scene", key.scene},
+             {"primitives", key.primitives},
+             {"protocol", key.protocol},
+             {"sampler", key.sampler},
+             {"sample_percent", key.sample_percent},
+             {"seed", key.seed},
+             {"report", figures.report},
+             {"unsampled_tests", figures.unsampled_tests},
+             {"rays", json::array()}};
+    for (const RayFigures& rays : figures.rays) {
+        row["rays"].push_back(rays_json(rays));
+    }
     return row.dump(-1, ' ', true, json::error_handler_t::replace) + '\n';
 }
 
@@ -130,9 +165,8 @@ struct Journal::File {
     int descriptor;
 };
 
-Journal::Journal(std::filesystem::path path, ExperimentOptions options,
-                 std::vector<std::string> command)
-    : path_(std::move(path)), options_(std::move(options)), command_(std::move(command)) {}
+Journal::Journal(std::filesystem::path path, ExperimentRecord record)
+    : path_(std::move(path)), record_(std::move(record)) {}
 
 Journal::Journal(Journal&&) noexcept = default;
 Journal& Journal::operator=(Journal&&) noexcept = default;
@@ -144,17 +178,15 @@ bool Journal::exists(const std::filesystem::path& folder) {
 }
 
 Journal Journal::begin(const ExperimentOptions& options, const std::vector<std::string>& command) {
-    return {options.out / file_name, options, command};
+    return {options.out / file_name, {options, command, {}, {}, {}}};
 }
 
 void Journal::make_file() {
-    const json head{{"format", format_version},
-                    {"options", options_},
-                    {"has_all_primitives", options_.primitives.empty()},
-                    {"scene_bytes", sizes_of(options_.scenes)},
-                    {"command", command_}};
+    record_ = record_of(record_.options, record_.command);
+    const json head{{"format", format_version}, {"record", record_}};
     std::error_code error;
-    std::filesystem::create_directories(options_.out, error);  // write_file() says what is wrong
+    std::filesystem::create_directories(record_.options.out,
+                                        error);  // write_file() says what is wrong
     write_file(path_, head.dump(-1, ' ', true, json::error_handler_t::replace) + '\n');
     file_ = std::make_unique<File>(path_);
 }
@@ -168,13 +200,9 @@ Journal Journal::open(const std::filesystem::path& folder) {
         if (head.at("format") != format_version) {
             throw file_error(ErrorCode::parse, path.string(), "is of another version of coppice");
         }
-        Journal journal(path, experiment_options_of(head.at("options")), head.at("command"));
-        if (head.at("scene_bytes") != json(sizes_of(journal.options_.scenes))) {
-            throw file_error(ErrorCode::parse, path.string(),
-                             "a scene's file has changed since: the run cannot be resumed");
-        }
-        if (head.at("has_all_primitives").get<bool>()) journal.options_.primitives.clear();
-        journal.options_.out = folder;
+        Journal journal(path, head.at("record").get<ExperimentRecord>());
+        require_unchanged(journal.record_, "the run cannot be resumed");
+        journal.record_.options.out = folder;
         journal.read_rows(std::string_view(text).substr(head_end));
         std::filesystem::resize_file(path, text.size());
         journal.file_ = std::make_unique<File>(path);
@@ -191,18 +219,18 @@ void Journal::read_rows(std::string_view lines) {
         if (line.empty()) continue;
         const json row = json::parse(line);
         rows_[{row.at("scene"), row.at("primitives"), row.at("protocol"), row.at("sample_percent"),
-               row.at("seed")}] = read_report(row.at("report"));
+               row.at("seed"), row.at("sampler")}] = read_figures(row);
     }
 }
 
-std::optional<BuildReport> Journal::find(const RowKey& key) const {
+std::optional<TreeFigures> Journal::find(const RowKey& key) const {
     const auto at = rows_.find(stored_key(key));
     return at == rows_.end() ? std::nullopt : std::optional(at->second);
 }
 
-void Journal::add(const RowKey& key, const BuildReport& report) {
+void Journal::add(const RowKey& key, const TreeFigures& figures) {
     if (file_ == nullptr) make_file();
-    const std::string line = row_line(key, report);
+    const std::string line = row_line(key, figures);
     std::string_view rest = line;
     while (!rest.empty()) {
         const ssize_t written = ::write(file_->descriptor, rest.data(), rest.size());
@@ -211,7 +239,7 @@ void Journal::add(const RowKey& key, const BuildReport& report) {
         rest.remove_prefix(static_cast<std::size_t>(written));
     }
     if (::fsync(file_->descriptor) != 0) fail(path_, "cannot write to the file");
-    rows_[stored_key(key)] = report;
+    rows_[stored_key(key)] = figures;
 }
 
 void Journal::remove() noexcept {

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "coppice/build/build_report.h"
-
 #include "lab/experiment_options.h"
+#include "lab/experiment_record.h"
 #include "lab/results.h"
 
 #include <filesystem>
@@ -40,17 +39,23 @@ public:
     ~Journal();
 
     /// The options of the run and the program's argument list that began it.
-    [[nodiscard]] const ExperimentOptions& options() const noexcept { return options_; }
+    [[nodiscard]] const ExperimentOptions& options() const noexcept { return record_.options; }
 
-    [[nodiscard]] const std::vector<std::string>& command() const noexcept { return command_; }
+    [[nodiscard]] const std::vector<std::string>& command() const noexcept {
+        return record_.command;
+    }
+
+    /// The same with the contents of the scenes' files, once the first tree is added.
+    [[nodiscard]] const ExperimentRecord& record() const noexcept { return record_; }
 
     [[nodiscard]] std::size_t row_count() const noexcept { return rows_.size(); }
 
-    /// What a finished tree measured; nothing if it is not finished. Its `options` are not kept.
-    [[nodiscard]] std::optional<BuildReport> find(const RowKey& key) const;
+    /// What was measured of a finished tree; nothing if it is not finished. Its report's `options`
+    /// are not kept.
+    [[nodiscard]] std::optional<TreeFigures> find(const RowKey& key) const;
 
     /// Adds a finished tree; it is on disk when this returns. Throws Error(io).
-    void add(const RowKey& key, const BuildReport& report);
+    void add(const RowKey& key, const TreeFigures& figures);
 
     /// Removes the file: the results are written.
     void remove() noexcept;
@@ -58,15 +63,13 @@ public:
 private:
     struct File;
 
-    Journal(std::filesystem::path path, ExperimentOptions options,
-            std::vector<std::string> command);
+    Journal(std::filesystem::path path, ExperimentRecord record);
     void read_rows(std::string_view lines);
     void make_file();
 
     std::filesystem::path path_;
-    ExperimentOptions options_;
-    std::vector<std::string> command_;
-    std::map<RowKey, BuildReport> rows_;
+    ExperimentRecord record_;
+    std::map<RowKey, TreeFigures> rows_;
     std::unique_ptr<File> file_;
 };
 

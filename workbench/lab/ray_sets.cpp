@@ -87,6 +87,10 @@ std::span<const RayKindEntry> ray_kind_registry() {
     return entries;
 }
 
+std::string_view name_of(RayKind kind) noexcept {
+    return ray_kind_registry()[static_cast<std::size_t>(kind)].name;
+}
+
 std::span<const RayKindEntry> rendering_ray_kinds() {
     return ray_kind_registry().first(3);
 }

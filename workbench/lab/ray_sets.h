@@ -32,6 +32,9 @@ struct RayKindEntry {
 /// All kinds of rays, in the order of the enumeration.
 [[nodiscard]] std::span<const RayKindEntry> ray_kind_registry();
 
+/// The stable lower-case name, e.g. "primary".
+[[nodiscard]] std::string_view name_of(RayKind kind) noexcept;
+
 /// The first of them: what a renderer sends, and so what is measured.
 [[nodiscard]] std::span<const RayKindEntry> rendering_ray_kinds();
 

@@ -8,7 +8,7 @@ namespace coppice::lab {
 
 namespace {
 
-/// The summaries of one kind and protocol.
+/// The summaries of one kind, protocol and sampler.
 struct Curve {
     std::vector<const RateSummary*> summaries;
 
@@ -20,7 +20,8 @@ std::vector<Curve> curves_of(std::span<const RateSummary> summaries) {
     for (const RateSummary& summary : summaries) {
         const auto at = std::find_if(curves.begin(), curves.end(), [&](const Curve& curve) {
             return curve.first().primitives == summary.primitives &&
-                   curve.first().protocol == summary.protocol;
+                   curve.first().protocol == summary.protocol &&
+                   curve.first().sampler == summary.sampler;
         });
         if (at == curves.end()) {
             curves.push_back({{&summary}});
@@ -46,6 +47,7 @@ bool is_within(const RateSummary& summary, double tolerance) {
 std::vector<Recommendation> recommend(std::span<const RateSummary> summaries, double tolerance) {
     std::vector<Recommendation> recommended;
     for (const Curve& curve : curves_of(summaries)) {
+        if (curve.first().sampler.empty()) continue;
         const RateSummary* smallest = nullptr;
         for (const RateSummary* summary : curve.summaries) {
             const bool is_smaller =
@@ -53,7 +55,8 @@ std::vector<Recommendation> recommend(std::span<const RateSummary> summaries, do
             if (is_smaller && is_within(*summary, tolerance)) smallest = summary;
         }
         if (smallest == nullptr) continue;
-        recommended.push_back({smallest->primitives, smallest->protocol, point_of(*smallest)});
+        recommended.push_back(
+            {smallest->primitives, smallest->protocol, smallest->sampler, point_of(*smallest)});
     }
     return recommended;
 }
@@ -69,12 +72,14 @@ std::string recommendation_rule(double tolerance, int seed_count) {
 std::vector<Recommendation> find_knees(std::span<const RateSummary> summaries) {
     std::vector<Recommendation> knees;
     for (const Curve& curve : curves_of(summaries)) {
+        if (curve.first().sampler.empty()) continue;
         std::vector<KneePoint> points;
         for (const RateSummary* summary : curve.summaries) {
             points.push_back(point_of(*summary));
         }
         if (const auto knee = find_knee(points)) {
-            knees.push_back({curve.first().primitives, curve.first().protocol, *knee});
+            const RateSummary& first = curve.first();
+            knees.push_back({first.primitives, first.protocol, first.sampler, *knee});
         }
     }
     return knees;

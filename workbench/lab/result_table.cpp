@@ -1,6 +1,6 @@
 #include "lab/result_table.h"
 
-#include "lab/protocol.h"
+#include "lab/builders.h"
 #include "lab/recommend.h"
 #include "lab/seed_summary.h"
 
@@ -15,7 +15,7 @@ namespace coppice::lab {
 
 namespace {
 
-/// The rows of one kind, protocol and percentage: one per seed, at least one.
+/// The rows of one kind, protocol, sampler and percentage: one per seed, at least one.
 struct Group {
     std::vector<const ResultRow*> rows;
 
@@ -34,11 +34,7 @@ struct Group {
 std::vector<Group> group_by_percent(const std::vector<ResultRow>& rows) {
     std::vector<Group> groups;
     for (const ResultRow& row : rows) {
-        const auto same = [&](const Group& group) {
-            const ResultRow& first = group.first();
-            return first.primitives == row.primitives && first.protocol == row.protocol &&
-                   first.sample_percent == row.sample_percent;
-        };
+        const auto same = [&](const Group& group) { return group.first().is_twin_of(row); };
         const auto at = std::find_if(groups.begin(), groups.end(), same);
         if (at == groups.end()) {
             groups.push_back({{&row}});
@@ -88,7 +84,10 @@ std::string header_line() {
 }
 
 std::string group_line(const Group& group, bool is_recommended) {
-    const auto count = [&](auto&& value) { return fmt::format("{:.0f}", group.mean(value)); };
+    const bool is_peer = group.first().form == TreeForm::peer;
+    const auto count = [&](auto&& value) {
+        return is_peer ? std::string("-") : fmt::format("{:.0f}", group.mean(value));
+    };
     const auto seconds = [&](StageReport StageReports::*stage) {
         return seconds_text(group.mean(
             [&](const ResultRow& row) { return (row.report.stages.*stage).wall_seconds; }));
@@ -112,19 +111,26 @@ std::string group_line(const Group& group, bool is_recommended) {
 const Recommendation* find_recommendation(const SceneResult& scene, const ResultRow& row) {
     for (const Recommendation& recommendation : scene.recommended) {
         if (recommendation.primitives == row.primitives &&
-            recommendation.protocol == row.protocol) {
+            recommendation.protocol == row.protocol && recommendation.sampler == row.sampler) {
             return &recommendation;
         }
     }
     return nullptr;
 }
 
-/// What a table starts with: the scene, the kind, and what all its rows share.
-std::string title(const ResultRow& row, std::size_t seed_count) {
-    std::string text =
-        fmt::format("{}, {}: {} primitives, {} splits, {} sample", row.scene, row.primitives,
-                    row.report.primitive_count, row.report.options.split.rule,
-                    row.report.options.sample.sampler);
+/// Whether the protocols' rows are of several samplers.
+bool has_samplers(const SceneResult& scene) {
+    const ResultRow& first = scene.rows.front();
+    return std::any_of(scene.rows.begin(), scene.rows.end(), [&](const ResultRow& row) {
+        return row.protocol == first.protocol && row.sampler != first.sampler;
+    });
+}
+
+/// What a table starts with: the scene, the kind, and what all its protocols' rows share.
+std::string title(const ResultRow& row, bool has_one_sampler, std::size_t seed_count) {
+    std::string text = fmt::format("{}, {}: {} primitives, {} splits", row.scene, row.primitives,
+                                   row.report.primitive_count, row.report.options.split.rule);
+    if (has_one_sampler) text += fmt::format(", {} sample", row.sampler);
     if (seed_count > 1) {
         text += fmt::format(
             ", means of {} seeds;\nlast columns: cost and time over the 100 % tree's of the same "
@@ -135,21 +141,34 @@ std::string title(const ResultRow& row, std::size_t seed_count) {
     return text + '\n';
 }
 
-std::string choice_lines(std::span<const Recommendation> choices) {
+/// What the rows of one builder and sampler start with.
+std::string section_line(const ResultRow& row, bool names_sampler) {
+    std::string text = row.protocol;
+    if (names_sampler) text += fmt::format(", {} sample", row.sampler);
+    text += fmt::format(": {}", builder_summary(row.protocol));
+    if (row.form == TreeForm::wide) text += "; a test is of 8 triangles";
+    return text + '\n';
+}
+
+std::string choice_lines(std::span<const Recommendation> choices, bool names_sampler) {
     std::string text;
     for (const Recommendation& choice : choices) {
-        text += fmt::format("  {}, {}: {} % (cost x {}, time x {})\n", choice.primitives,
-                            choice.protocol, choice.chosen.percent,
-                            relative_text(choice.chosen.cost), relative_text(choice.chosen.time));
+        const std::string how = names_sampler
+                                    ? fmt::format("{}, {}", choice.protocol, choice.sampler)
+                                    : choice.protocol;
+        text += fmt::format("  {}, {}: {} % (cost x {}, time x {})\n", choice.primitives, how,
+                            choice.chosen.percent, relative_text(choice.chosen.cost),
+                            relative_text(choice.chosen.time));
     }
     return text.empty() ? "  none\n" : text;
 }
 
 std::string recommendation_lines(const SceneResult& scene, double tolerance, int seed_count) {
+    const bool names_sampler = has_samplers(scene);
     return fmt::format(
         "* recommended: {}\n{}knee: the greatest saving of time per added cost (Kneedle)\n{}",
-        recommendation_rule(tolerance, seed_count), choice_lines(scene.recommended),
-        choice_lines(scene.knees));
+        recommendation_rule(tolerance, seed_count), choice_lines(scene.recommended, names_sampler),
+        choice_lines(scene.knees, names_sampler));
 }
 
 }  // namespace
@@ -158,26 +177,27 @@ std::string result_table(const SceneResult& scene, double tolerance) {
     if (scene.rows.empty()) return {};
     const std::vector<RateSummary> summaries = summarize_seeds(scene.rows);
     auto summary = summaries.begin();  // in the order of the groups
+    const bool names_sampler = has_samplers(scene);
     std::string text;
-    std::string_view primitives;
-    std::string_view protocol;
+    const ResultRow* last = nullptr;
     for (const Group& group : group_by_percent(scene.rows)) {
         const ResultRow& row = group.first();
-        const bool has_seeds = group.rows.size() > 1;
-        if (row.primitives != primitives) {
+        const bool is_new_kind = last == nullptr || row.primitives != last->primitives;
+        if (is_new_kind) {
             if (!text.empty()) text += '\n';
-            text += title(row, group.rows.size()) + header_line() + '\n';
-            protocol = {};
+            text += title(row, !names_sampler, group.rows.size()) + header_line() + '\n';
         }
-        if (row.protocol != protocol) {
-            text += fmt::format("{}: {}\n", row.protocol, find_protocol(row.protocol).summary);
+        const bool is_new_section =
+            is_new_kind || row.protocol != last->protocol || row.sampler != last->sampler;
+        if (is_new_section) {
+            const bool is_usual = row.sampler == scene.rows.front().sampler;
+            text += section_line(row, !row.sampler.empty() && (names_sampler || !is_usual));
         }
-        primitives = row.primitives;
-        protocol = row.protocol;
+        last = &row;
         const Recommendation* chosen = find_recommendation(scene, row);
         text +=
             group_line(group, chosen != nullptr && chosen->chosen.percent == row.sample_percent);
-        text += has_seeds ? confidence_text(*summary) + '\n' : "\n";
+        text += group.rows.size() > 1 ? confidence_text(*summary) + '\n' : "\n";
         ++summary;
     }
     const auto seed_count = static_cast<int>(summaries.front().seed_count);

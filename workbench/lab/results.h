@@ -4,13 +4,17 @@
 #include "coppice/geom/aabb.h"
 #include "coppice/io/load_mesh.h"
 
+#include "lab/builders.h"
 #include "lab/knee.h"
+#include "lab/ray_figures.h"
+#include "lab/ray_maker.h"
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <compare>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,27 +29,49 @@ struct RowKey {
     std::string protocol;
     double sample_percent = 100.0;
     std::uint64_t seed = 1;
+    std::string sampler = "uniform";
 
     auto operator<=>(const RowKey&) const = default;
+};
+
+/// All that is measured of one tree.
+struct TreeFigures {
+    BuildReport report;
+    /// Primitives a random line through the box is tested against in leaves that were empty in the
+    /// sample; of trees that do not grow.
+    double unsampled_tests = 0.0;
+    std::vector<RayFigures> rays;  ///< of triangles only, in the order asked for; or none
 };
 
 /// One tree of the experiment: what was built, and what it measured.
 struct ResultRow {
     std::string scene;
     std::string primitives;  ///< "points" or "triangles"
-    std::string protocol;
+    std::string protocol;    ///< the builder's name: a protocol, method or peer
     double sample_percent = 100.0;
     std::uint64_t seed = 1;
     BuildReport report;
     double relative_cost = 1.0;  ///< sah_cost over that of the 100 % tree of the same scene,
-                                 ///< primitives, protocol and seed; NaN if that is 0 and this not
+                                 ///< primitives, protocol, sampler and seed; NaN if that is 0 and
+                                 ///< this not
     double relative_time = 1.0;  ///< the same for the total time; not a column
+    std::string sampler = "uniform";  ///< "" for trees that are never sampled
+    TreeForm form = TreeForm::kd;
+    double unsampled_tests = 0.0;  ///< as in TreeFigures
+    std::vector<RayFigures> rays;  ///< likewise
+
+    /// True if the other differs in nothing but the seed and what was measured.
+    [[nodiscard]] bool is_twin_of(const ResultRow& other) const {
+        return primitives == other.primitives && protocol == other.protocol &&
+               sampler == other.sampler && sample_percent == other.sample_percent;
+    }
 };
 
-/// The percentage chosen for one scene, kind of primitive and protocol.
+/// The percentage chosen for one scene, kind of primitive, protocol and sampler.
 struct Recommendation {
     std::string primitives;
     std::string protocol;
+    std::string sampler;
     KneePoint chosen;
 };
 
@@ -58,20 +84,26 @@ struct SceneResult {
     std::uint64_t triangle_count = 0;
     std::uint64_t distinct_vertex_count = 0;  ///< 0 if no tree of points was asked for
     Aabb bounds;
-    std::vector<ResultRow> rows;  ///< by primitives, protocol, seed, then rate, each as asked for
+    /// By primitives, protocol, sampler, seed, then rate, each as asked for.
+    std::vector<ResultRow> rows;
+    std::optional<RayOptions> view;  ///< of the rays, if any were asked for and there are triangles
+    std::vector<std::string> errors;          ///< what must not be: hits that differ
     std::vector<Recommendation> recommended;  ///< by recommend(), with the options' tolerance
     std::vector<Recommendation> knees;        ///< by find_knees()
 };
 
-/// The header line of results.csv, without a line end.
-[[nodiscard]] std::string csv_header();
+/// The header line of results.csv, without a line end; with the columns of these kinds of rays.
+[[nodiscard]] std::string csv_header(std::span<const RayKind> rays = {});
 
 /// results.csv: the header and one line per row of all scenes, as RFC 4180 quotes, with '\n' line
 /// ends. Costs have the shortest digits that read back the same, seconds six decimals; a number
-/// that is not finite is an empty field.
-[[nodiscard]] std::string csv_text(std::span<const SceneResult> scenes);
+/// that is not finite or was not measured is an empty field.
+[[nodiscard]] std::string csv_text(std::span<const SceneResult> scenes,
+                                   std::span<const RayKind> rays = {});
 
-/// One row as an object with the CSV's columns as keys and the same values; not finite is null.
-[[nodiscard]] nlohmann::ordered_json row_json(const ResultRow& row);
+/// One row as an object with the CSV's columns as keys and the same values; what is empty there is
+/// null, but for texts.
+[[nodiscard]] nlohmann::ordered_json row_json(const ResultRow& row,
+                                              std::span<const RayKind> rays = {});
 
 }  // namespace coppice::lab

@@ -1,7 +1,9 @@
 #include "lab/results_document.h"
 
+#include "lab/cost_decomposition.h"
 #include "lab/machine.h"
 #include "lab/mesh_summary.h"
+#include "lab/rays_document.h"
 #include "lab/recommend.h"
 #include "lab/seed_summary.h"
 
@@ -26,11 +28,14 @@ Json details_json(const ResultRow& row) {
     const TreeStatistics& statistics = row.report.statistics;
     return {{"primitives", row.primitives},
             {"protocol", row.protocol},
+            {"sampler", row.sampler},
             {"sample_percent", row.sample_percent},
             {"seed", row.seed},
+            {"tree", name_of(row.form)},
             {"expected_inner_visits", statistics.expected_inner_visits},
             {"expected_leaf_visits", statistics.expected_leaf_visits},
             {"expected_primitive_tests", statistics.expected_primitive_tests},
+            {"unsampled_tests", row.unsampled_tests},
             {"depth_histogram", statistics.depth_histogram},
             {"cost_share_by_depth", statistics.cost_share_by_depth}};
 }
@@ -39,6 +44,7 @@ Json recommendation_json(const Recommendation& recommendation, std::string_view 
                          std::string_view source) {
     return {{"primitives", recommendation.primitives},
             {"protocol", recommendation.protocol},
+            {"sampler", recommendation.sampler},
             {"sample_percent", recommendation.chosen.percent},
             {"relative_cost", recommendation.chosen.cost},
             {"relative_time", recommendation.chosen.time},
@@ -58,6 +64,7 @@ Json seed_mean_json(const SeedMean& measure) {
 Json summary_json(const RateSummary& summary) {
     return {{"primitives", summary.primitives},
             {"protocol", summary.protocol},
+            {"sampler", summary.sampler},
             {"sample_percent", summary.sample_percent},
             {"seed_count", summary.seed_count},
             {"interval", interval_name},
@@ -65,6 +72,20 @@ Json summary_json(const RateSummary& summary) {
             {"relative_cost", seed_mean_json(summary.relative_cost)},
             {"total_seconds", seed_mean_json(summary.total_seconds)},
             {"relative_time", seed_mean_json(summary.relative_time)}};
+}
+
+Json parts_json(const CostParts& parts) {
+    return {{"primitives", parts.primitives},
+            {"protocol", parts.protocol},
+            {"sampler", parts.sampler},
+            {"sample_percent", parts.sample_percent},
+            {"seed", parts.seed},
+            {"excess", parts.excess},
+            {"early_stop", parts.early_stop},
+            {"empty_cells", parts.empty_cells},
+            {"duplicates", parts.duplicates},
+            {"plane_error", parts.plane_error},
+            {"uneven_leaves", parts.uneven_leaves}};
 }
 
 Json scene_json(const ExperimentOptions& options, const SceneResult& scene) {
@@ -83,7 +104,7 @@ Json scene_json(const ExperimentOptions& options, const SceneResult& scene) {
     json["recommended"] = Json::array();
     json["knees"] = Json::array();
     for (const ResultRow& row : scene.rows) {
-        json["rows"].push_back(row_json(row));
+        json["rows"].push_back(row_json(row, options.rays));
         json["details"].push_back(details_json(row));
     }
     for (const RateSummary& summary : summarize_seeds(scene.rows)) {
@@ -95,6 +116,14 @@ Json scene_json(const ExperimentOptions& options, const SceneResult& scene) {
     }
     for (const Recommendation& knee : scene.knees) {
         json["knees"].push_back(recommendation_json(knee, knee_rule, knee_source));
+    }
+    json["decomposition"] = Json::array();
+    for (const CostParts& parts : decompose_costs(scene.rows)) {
+        json["decomposition"].push_back(parts_json(parts));
+    }
+    if (!options.rays.empty()) {
+        json["rays"] = rays_document(scene);
+        json["errors"] = scene.errors;
     }
     return json;
 }

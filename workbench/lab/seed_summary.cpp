@@ -20,14 +20,23 @@ SeedMean mean_over(const std::vector<const ResultRow*>& rows, Value&& value) {
 
 RateSummary summary_of(const std::vector<const ResultRow*>& rows) {
     const ResultRow& first = *rows.front();
-    return {first.primitives,
-            first.protocol,
-            first.sample_percent,
-            rows.size(),
-            mean_over(rows, [](const ResultRow& r) { return r.report.statistics.sah_cost; }),
-            mean_over(rows, [](const ResultRow& r) { return r.relative_cost; }),
-            mean_over(rows, [](const ResultRow& r) { return r.report.stages.wall_seconds(); }),
-            mean_over(rows, [](const ResultRow& r) { return r.relative_time; })};
+    RateSummary summary{
+        first.primitives,
+        first.protocol,
+        first.sample_percent,
+        rows.size(),
+        mean_over(rows, [](const ResultRow& r) { return r.report.statistics.sah_cost; }),
+        mean_over(rows, [](const ResultRow& r) { return r.relative_cost; }),
+        mean_over(rows, [](const ResultRow& r) { return r.report.stages.wall_seconds(); }),
+        mean_over(rows, [](const ResultRow& r) { return r.relative_time; }),
+        first.sampler,
+        first.form,
+        std::nullopt};
+    if (nanoseconds_of(first.rays)) {
+        summary.ray_nanoseconds = mean_over(
+            rows, [](const ResultRow& r) { return nanoseconds_of(r.rays).value_or(0.0); });
+    }
+    return summary;
 }
 
 }  // namespace
@@ -36,9 +45,7 @@ std::vector<RateSummary> summarize_seeds(std::span<const ResultRow> rows) {
     std::vector<std::vector<const ResultRow*>> groups;
     for (const ResultRow& row : rows) {
         const auto at = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
-            const ResultRow& first = *group.front();
-            return first.primitives == row.primitives && first.protocol == row.protocol &&
-                   first.sample_percent == row.sample_percent;
+            return group.front()->is_twin_of(row);
         });
         if (at == groups.end()) {
             groups.push_back({&row});

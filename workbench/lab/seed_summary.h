@@ -17,7 +17,7 @@ struct SeedMean {
     std::optional<Interval> interval;  ///< of the mean; nothing for one seed
 };
 
-/// The trees of one kind of primitive, protocol and percentage, one for each seed.
+/// The trees of one kind of primitive, protocol, sampler and percentage, one for each seed.
 struct RateSummary {
     std::string primitives;
     std::string protocol;
@@ -27,6 +27,10 @@ struct RateSummary {
     SeedMean relative_cost;  ///< each seed's over that seed's 100 % tree
     SeedMean total_seconds;
     SeedMean relative_time;  ///< the same
+    std::string sampler;
+    TreeForm form = TreeForm::kd;
+    /// Nanoseconds of wall-clock time a ray, of all kinds traced; nothing if none were.
+    std::optional<SeedMean> ray_nanoseconds;
 };
 
 /// Means and intervals over the seeds of the rows of one scene, in the order of the rows.

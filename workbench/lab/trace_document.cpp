@@ -15,10 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string_view name_of_kind(RayKind kind) {
-    return ray_kind_registry()[static_cast<std::size_t>(kind)].name;
-}
-
 Json vector_json(Vec3f v) {
     return {v.x, v.y, v.z};
 }
@@ -75,7 +71,7 @@ Json comparison_json(const TraceComparison& with, RayKind kind) {
 }
 
 Json row_json(const TraceRow& row) {
-    Json json{{"kind", name_of_kind(row.kind)},
+    Json json{{"kind", name_of(row.kind)},
               {"rays", row.rays},
               {"hits", row.hits},
               {"seconds", row.seconds},
@@ -110,7 +106,7 @@ Json options_json(const TraceOptions& options) {
               {"count", options.counts},  {"size", options.size},
               {"seed", options.seed},     {"rays", Json::array()}};
     for (const RayKind kind : options.rays) {
-        json["rays"].push_back(name_of_kind(kind));
+        json["rays"].push_back(name_of(kind));
     }
     json["build"] = nlohmann::json(options.build);
     if (!options.tree.empty()) {

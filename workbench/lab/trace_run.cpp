@@ -10,11 +10,12 @@
 #include "coppice/io/load_mesh.h"
 #include "coppice/store/tree_file.h"
 
-#include "lab/hard_rays.h"
 #include "lab/memory_limit.h"
 #include "lab/named.h"
+#include "lab/ray_maker.h"
 #include "lab/scene_names.h"
 #include "lab/trace_check.h"
+#include "lab/trace_rays.h"
 #include "lab/traced_tree.h"
 
 #include <fmt/format.h>
@@ -28,41 +29,19 @@ namespace coppice::lab {
 
 namespace {
 
-constexpr std::size_t chunk_size = 4096;
-
-/// Closest hits; for shadow rays t is 0 where anything is hit.
-std::vector<Hit> trace(const TracedTree& tree, RayKind kind, std::span<const Ray> rays,
-                       std::vector<Hit> hits) {
-    parallel_for_chunks(rays.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            if (kind == RayKind::shadow) {
-                hits[i].t = tree.occluded(rays[i]) ? 0.0F : Hit{}.t;
-            } else {
-                hits[i] = tree.intersect(rays[i]).value_or(Hit{});
-            }
-        }
-    });
-    return hits;
-}
-
 CountSummary count(const TracedTree& tree, RayKind kind, std::span<const Ray> rays) {
-    std::vector<std::uint32_t> nodes(rays.size());
-    std::vector<std::uint32_t> leaves(rays.size());
-    std::vector<std::uint32_t> primitives(rays.size());
-    parallel_for_chunks(rays.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            TraversalCounts counts;
-            if (kind == RayKind::shadow) {
-                static_cast<void>(tree.occluded(rays[i], counts));
-            } else {
-                static_cast<void>(tree.intersect(rays[i], counts));
-            }
-            nodes[i] = static_cast<std::uint32_t>(counts.nodes);
-            leaves[i] = static_cast<std::uint32_t>(counts.leaves);
-            primitives[i] = static_cast<std::uint32_t>(counts.primitives);
-        }
-    });
-    return {distribution_of(nodes), distribution_of(leaves), distribution_of(primitives)};
+    std::vector<Hit> hits(rays.size());
+    std::vector<TraversalCounts> counts(rays.size());
+    trace_counting(tree, kind, rays, hits, counts);
+    std::vector<std::uint32_t> numbers(rays.size());
+    const auto distribution = [&](std::uint64_t TraversalCounts::*member) {
+        std::transform(counts.begin(), counts.end(), numbers.begin(), [&](const auto& of_ray) {
+            return static_cast<std::uint32_t>(of_ray.*member);
+        });
+        return distribution_of(numbers);
+    };
+    return {distribution(&TraversalCounts::nodes), distribution(&TraversalCounts::leaves),
+            distribution(&TraversalCounts::primitives)};
 }
 
 /// What all scenes of a run share.
@@ -99,6 +78,9 @@ public:
             scene_.method = saved.origin.method;
         }
         scene_.build_seconds = timer.seconds();
+        const TraceOptions& options = run_.options;
+        maker_.emplace(mesh_, *tree_,
+                       RayOptions{scene_.camera, scene_.light, options.size, options.seed});
         if (run_.options.check != TraceCheck::none) {
             check_.emplace(mesh_, run_.options.check, run_.options.build.threads);
         }
@@ -109,14 +91,14 @@ public:
 
 private:
     TraceRow run_kind(RayKind kind) {
-        const std::string name(ray_kind_registry()[static_cast<std::size_t>(kind)].name);
+        const std::string name(name_of(kind));
         tell(name + " rays");
-        const std::vector<Ray> rays = make_rays(kind);
+        const std::vector<Ray> rays = maker_->make(kind);
         TraceRow row{.kind = kind, .rays = rays.size()};
         if (rays.empty()) return row;
         std::vector<Hit> hits(rays.size());
         const Timer timer;
-        hits = trace(*tree_, kind, rays, std::move(hits));
+        trace_rays(*tree_, kind, rays, hits);
         row.seconds = timer.seconds();
         row.hits = static_cast<std::uint64_t>(std::count_if(
             hits.begin(), hits.end(), [](const Hit& hit) { return std::isfinite(hit.t); }));
@@ -131,51 +113,6 @@ private:
         return row;
     }
 
-    [[nodiscard]] std::vector<Ray> make_rays(RayKind kind) {
-        const auto size = static_cast<std::size_t>(run_.options.size);
-        const std::size_t count = size * size;
-        const std::uint64_t seed = run_.options.seed;
-        switch (kind) {
-            case RayKind::primary:
-                return primary_rays(scene_.camera, run_.options.size);
-            case RayKind::random:
-                return random_rays(mesh_, count, seed);
-            case RayKind::axis:
-                return axis_rays(mesh_, count, seed);
-            case RayKind::grazing:
-                return grazing_rays(mesh_, count, seed);
-            case RayKind::shadow:
-            case RayKind::diffuse:
-                break;
-        }
-        see_surfaces();
-        std::vector<Ray> rays = kind == RayKind::shadow
-                                    ? shadow_rays(mesh_, seen_rays_, seen_hits_, scene_.light)
-                                    : diffuse_rays(mesh_, seen_rays_, seen_hits_, seed);
-        rays.resize(std::min(rays.size(), count));
-        return rays;
-    }
-
-    /// Primary rays for secondary ones to start from: so many that enough of them hit.
-    void see_surfaces() {
-        if (!seen_rays_.empty()) return;
-        const int size = run_.options.size;
-        const std::size_t hit_count = look(size);
-        const double count = static_cast<double>(size) * size;
-        if (hit_count == 0 || hit_count == seen_rays_.size()) return;
-        const double more = std::sqrt(1.05 * count / static_cast<double>(hit_count));
-        look(static_cast<int>(std::min(4.0, more) * size) + 1);
-    }
-
-    std::size_t look(int size) {
-        seen_rays_ = primary_rays(scene_.camera, size);
-        seen_hits_ =
-            trace(*tree_, RayKind::primary, seen_rays_, std::vector<Hit>(seen_rays_.size()));
-        return static_cast<std::size_t>(
-            std::count_if(seen_hits_.begin(), seen_hits_.end(),
-                          [](const Hit& hit) { return std::isfinite(hit.t); }));
-    }
-
     void tell(const std::string& step) const { run_.tell(scene_.scene + ": " + step); }
 
     const Run& run_;
@@ -183,8 +120,7 @@ private:
     TriangleMeshView mesh_;
     std::optional<TracedTree> tree_;
     std::optional<HitCheck> check_;
-    std::vector<Ray> seen_rays_;
-    std::vector<Hit> seen_hits_;
+    std::optional<RayMaker> maker_;
 };
 
 TriangleMesh load_scene(const Run& run, const TraceScene& scene) {

@@ -11,10 +11,6 @@ namespace coppice::lab {
 
 namespace {
 
-std::string_view name_of(RayKind kind) {
-    return ray_kind_registry()[static_cast<std::size_t>(kind)].name;
-}
-
 std::string point_text(Vec3f v) {
     return fmt::format("({:.9g}, {:.9g}, {:.9g})", v.x, v.y, v.z);
 }

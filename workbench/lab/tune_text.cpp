@@ -37,15 +37,6 @@ std::string name_text(const TuneRow& row) {
     return fmt::format("`{}` from a sample of {}", row.method, percent_text(row.sample_percent));
 }
 
-/// "up to 2e+06 rays", "from 1e+05 to 2e+06 rays", "for any number of rays"
-std::string span_text(const BestSpan& span) {
-    const bool has_end = std::isfinite(span.to);
-    if (span.from == 0.0 && !has_end) return "for any number of rays";
-    if (span.from == 0.0) return fmt::format("up to {} rays", count_text(span.to));
-    if (!has_end) return fmt::format("from {} rays", count_text(span.from));
-    return fmt::format("from {} to {} rays", count_text(span.from), count_text(span.to));
-}
-
 std::string row_text(const TuneOptions& options, const TuneResult& result, std::size_t index) {
     const TuneRow& row = result.rows[index];
     const auto span = std::find_if(result.fastest.begin(), result.fastest.end(),

@@ -86,10 +86,26 @@ json protocol_scale(const std::vector<std::string>& protocols,
         domain.push_back(style.label);
         range.push_back(style.*range_member);
     }
-    return {{"field", "protocol"},
-            {"type", "nominal"},
-            {"title", nullptr},
-            {"scale", {{"domain", domain}, {"range", range}}}};
+    json encoding{{"field", "protocol"},
+                  {"type", "nominal"},
+                  {"title", nullptr},
+                  {"scale", {{"domain", domain}, {"range", range}}}};
+    if (protocols.size() > 3) encoding["legend"] = {{"columns", 3}};
+    return encoding;
+}
+
+// A protocol with another sampler than usual: its colour, lighter or darker, and another shape.
+ProtocolStyle sampler_style(std::string_view line, std::size_t comma) {
+    ProtocolStyle style = protocol_style(line.substr(0, comma));
+    const std::string sampler(line.substr(comma));
+    const bool is_light = sampler == ", stratified";
+    const unsigned long color = std::stoul(style.color.substr(1), nullptr, 16);
+    std::string mixed = "#";
+    for (const unsigned shift : {16U, 8U, 0U}) {
+        const unsigned long part = color >> shift & 255U;
+        mixed += fmt::format("{:02x}", is_light ? (part + 255U) / 2U : part * 6U / 10U);
+    }
+    return {style.name + sampler, style.label + sampler, mixed, is_light ? "stroke" : "cross"};
 }
 
 }  // namespace
@@ -98,7 +114,12 @@ ProtocolStyle protocol_style(std::string_view protocol) {
     if (protocol == "fixed") return {"fixed leaf limit", "fixed limit", "#d55e00", "circle"};
     if (protocol == "scaled") return {"scaled leaf limit", "scaled limit", "#0072b2", "square"};
     if (protocol == "grown") return {"leaves grown on", "grown on", "#009e73", "triangle-up"};
-    return {std::string(protocol), std::string(protocol), "#cc79a7", "diamond"};
+    const std::size_t comma = protocol.find(", ");
+    if (comma != std::string_view::npos) return sampler_style(protocol, comma);
+    const std::string name(protocol);
+    if (protocol == "exact") return {name, name, "#e69f00", "diamond"};
+    if (protocol == "binned") return {name, name, "#56b4e9", "cross"};
+    return {name, name, "#cc79a7", protocol == "sampled" ? "triangle-down" : "diamond"};
 }
 
 TimeUnit time_unit(double greatest_seconds) {

@@ -37,8 +37,14 @@ std::string make_unique(const std::string& slug, std::set<std::string>& taken) {
     return unique;
 }
 
+// Rows of the results tell it by their split rule, details by the form of the tree.
+bool is_kd(const json& row) {
+    const bool has_rule = !row.contains("split") || !text_at(row, "split").empty();
+    return has_rule && (!row.contains("tree") || text_at(row, "tree") == "kd");
+}
+
 RatePoint& point_of(Series& series, const json& row) {
-    const std::string protocol = text_at(row, "protocol");
+    const std::string protocol = series.line_of(row);
     const double percent = percent_of(row);
     for (RatePoint& point : series.points) {
         if (point.protocol == protocol && point.percent == percent) return point;
@@ -88,8 +94,8 @@ void add_intervals(Series& series, const json& scene) {
     for (const json& summary : array_at(scene, "summary")) {
         if (text_at(summary, "primitives") != series.kind) continue;
         for (RatePoint& point : series.points) {
-            const bool is_same = point.protocol == text_at(summary, "protocol") &&
-                                 point.percent == percent_of(summary);
+            const bool is_same =
+                point.protocol == series.line_of(summary) && point.percent == percent_of(summary);
             if (!is_same) continue;
             for (auto& [key, range] : point.measures) {
                 const auto at = summary.find(key);
@@ -104,9 +110,14 @@ void add_intervals(Series& series, const json& scene) {
 
 // Means over the seeds of all rows of the series' kind.
 void collect_points(Series& series, const json& scene) {
+    for (const json& row : array_at(scene, "rows")) {
+        if (text_at(row, "primitives") != series.kind) continue;
+        series.sampler = text_at(row, "sampler");
+        break;
+    }
     std::map<std::pair<std::string, double>, std::map<std::string, std::size_t>> counts;
     const auto add = [&](const json& row) -> RatePoint* {
-        if (text_at(row, "primitives") != series.kind) return nullptr;
+        if (text_at(row, "primitives") != series.kind || !is_kd(row)) return nullptr;
         RatePoint& point = point_of(series, row);
         add_measures(point, row, counts[{point.protocol, point.percent}]);
         return &point;
@@ -120,7 +131,7 @@ void collect_points(Series& series, const json& scene) {
     for (const json& row : array_at(scene, "recommended")) {
         if (text_at(row, "primitives") != series.kind) continue;
         for (RatePoint& point : series.points) {
-            if (point.protocol == text_at(row, "protocol") && point.percent == percent_of(row)) {
+            if (point.protocol == series.line_of(row) && point.percent == percent_of(row)) {
                 point.is_recommended = true;
             }
         }
@@ -160,6 +171,12 @@ double Range::band_high() const {
 const Range* RatePoint::find(std::string_view name) const {
     const auto at = measures.find(name);
     return at == measures.end() ? nullptr : &at->second;
+}
+
+std::string Series::line_of(const json& row) const {
+    const std::string row_sampler = text_at(row, "sampler");
+    const std::string protocol = text_at(row, "protocol");
+    return row_sampler.empty() || row_sampler == sampler ? protocol : protocol + ", " + row_sampler;
 }
 
 std::vector<std::string> Series::protocols() const {

@@ -27,7 +27,7 @@ struct Range {
 
 /// The trees of one protocol at one sample percentage, one for each seed.
 struct RatePoint {
-    std::string protocol;
+    std::string protocol;  ///< or method, with the sampler if it is another than usual: line_of()
     double percent = 0.0;
     std::size_t seed_count = 0;
     bool is_recommended = false;
@@ -39,13 +39,19 @@ struct RatePoint {
     [[nodiscard]] const Range* find(std::string_view name) const;
 };
 
-/// All trees built over one kind of primitive of one scene.
+/// All k-d trees built over one kind of primitive of one scene. The costs of others, which count
+/// blocks of primitives or are not known, cannot be drawn beside theirs.
 struct Series {
     std::size_t scene_index = 0;      ///< in the results' array of scenes
     std::string scene;                ///< as the results name it: any text
     std::string kind;                 ///< "points" or "triangles"
     std::string key;                  ///< "dragon-points": fit for ids, unique on the page
+    std::string sampler{};            ///< the usual one: that of the first row
     std::vector<RatePoint> points{};  ///< by protocol, within it by falling percentage
+
+    /// What a row of the results, or whatever is said of one, is called here: its protocol,
+    /// "grown, weighted" if its sampler is not the usual one.
+    [[nodiscard]] std::string line_of(const nlohmann::json& row) const;
 
     /// The protocols met, `fixed`, `scaled`, `grown` first and in this order.
     [[nodiscard]] std::vector<std::string> protocols() const;

@@ -132,25 +132,12 @@ std::optional<double> mean_of(const RatePoint* point, std::string_view key) {
     return range != nullptr ? std::optional(range->mean) : std::nullopt;
 }
 
-// The smallest sample whose tree costs at most 1.05 of the full one's, and every larger one too.
-std::string smallest_good_sample(const Series& series, std::string_view protocol) {
-    std::optional<double> smallest;
-    for (const RatePoint& point : series.points) {
-        if (point.protocol != protocol) continue;
-        const std::optional<double> cost = mean_of(&point, "relative_cost");
-        if (!cost) return "–";
-        if (*cost > 1.05) break;
-        smallest = point.percent;
-    }
-    return smallest ? format_percent(*smallest) : "none";
-}
-
 std::string recommendation_rows(const json& scene, const Series& series) {
     std::string html;
     for (const std::string& protocol : series.protocols()) {
         const json* chosen = nullptr;
         for (const json& row : array_at(scene, "recommended")) {
-            if (text_at(row, "primitives") == series.kind && text_at(row, "protocol") == protocol) {
+            if (text_at(row, "primitives") == series.kind && series.line_of(row) == protocol) {
                 chosen = &row;
             }
         }
@@ -167,7 +154,7 @@ std::string recommendation_rows(const json& scene, const Series& series) {
         html += ratio_cell(mean_of(half, "relative_cost"));
         html += ratio_cell(half != nullptr ? series.relative_to_full(*half, "total_seconds")
                                            : std::nullopt);
-        html += fmt::format("<td>{}</td></tr>", smallest_good_sample(series, protocol));
+        html += "</tr>";
     }
     return html;
 }
@@ -240,7 +227,7 @@ std::string make_rows_table(const json& scene, const Series& series) {
     for (const json& row : rows) {
         if (text_at(row, "primitives") != series.kind) continue;
         const RatePoint* point =
-            series.find(text_at(row, "protocol"), number_at(row, "sample_percent").value_or(0.0));
+            series.find(series.line_of(row), number_at(row, "sample_percent").value_or(0.0));
         const bool is_recommended = point != nullptr && point->is_recommended;
         body += is_recommended ? "<tr class=\"recommended\">" : "<tr>";
         std::string_view group;
@@ -278,9 +265,7 @@ std::string make_recommendation_table(const json& scene, const std::vector<Serie
         "scope=\"col\">primitives</th>"
         "<th rowspan=\"2\" scope=\"col\">protocol</th>"
         "<th colspan=\"3\" scope=\"colgroup\" class=\"first\">recommended</th>"
-        "<th colspan=\"2\" scope=\"colgroup\" class=\"first\">the thesis’s 50&nbsp;%</th>"
-        "<th rowspan=\"2\" scope=\"col\" class=\"first\">least sample within<br>5 % of full "
-        "cost</th></tr>"
+        "<th colspan=\"2\" scope=\"colgroup\" class=\"first\">the thesis’s 50&nbsp;%</th></tr>"
         "<tr><th scope=\"col\" class=\"first\">sample</th><th scope=\"col\">cost ×</th>"
         "<th scope=\"col\">time ×</th><th scope=\"col\" class=\"first\">cost ×</th>"
         "<th scope=\"col\">time ×</th></tr></thead><tbody>" +

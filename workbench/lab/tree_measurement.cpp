@@ -1,0 +1,82 @@
+#include "lab/tree_measurement.h"
+
+#include "coppice/build/build_tree.h"
+#include "coppice/tree/walk.h"
+
+#include "lab/contestant.h"
+#include "lab/named.h"
+#include "lab/traced_tree.h"
+
+#include <limits>
+#include <utility>
+
+namespace coppice::lab {
+
+namespace {
+
+void trace(AnyTree tree, const MeasuredScene& scene, TreeFigures& figures) {
+    if (scene.rays == nullptr) return;
+    figures.rays = scene.rays->measure(TracedTree(scene.mesh, std::move(tree)));
+}
+
+TreeFigures measure_kd(const BuildOptions& options, const MeasuredScene& scene) {
+    TreeFigures figures;
+    KdTree tree = build_kd_tree(scene.primitives, options, &figures.report);
+    const bool is_sampled = options.growth == Growth::none && options.sample.rate < 1.0;
+    if (is_sampled) figures.unsampled_tests = unsampled_tests(tree);
+    trace(std::move(tree), scene, figures);
+    return figures;
+}
+
+TreeFigures measure_wide(const BuildOptions& options, const MeasuredScene& scene) {
+    TreeFigures figures;
+    trace(build_wide_bvh(scene.mesh, options, &figures.report), scene, figures);
+    return figures;
+}
+
+TreeFigures measure_peer(const Builder& builder, const BuildOptions& options,
+                         const MeasuredScene& scene) {
+    const auto peer = find_named(peer_registry(), builder.name, "peer").make(options.threads);
+    const BuildFigures built = peer->build(scene.mesh, true);
+    TreeFigures figures;
+    BuildReport& report = figures.report;
+    report.options = options;
+    report.primitive_count = scene.primitives.size();
+    report.sample_count = report.primitive_count;
+    report.stages.build.wall_seconds = built.wall_seconds;
+    report.stages.build.cpu_seconds = built.cpu_seconds;
+    report.tree_bytes = built.bytes;
+    report.peak_bytes = built.peak_bytes;
+    report.statistics.sah_cost = std::numeric_limits<double>::quiet_NaN();
+    if (scene.rays != nullptr) figures.rays = scene.rays->measure(*peer);
+    return figures;
+}
+
+}  // namespace
+
+TreeFigures measure_tree(const Builder& builder, const BuildOptions& options,
+                         const MeasuredScene& scene) {
+    switch (builder.form) {
+        case TreeForm::kd:
+            return measure_kd(options, scene);
+        case TreeForm::wide:
+            return measure_wide(options, scene);
+        case TreeForm::peer:
+            break;
+    }
+    return measure_peer(builder, options, scene);
+}
+
+double unsampled_tests(const KdTree& tree) {
+    const double root_area = tree.bounds().surface_area();
+    if (!(root_area > 0.0)) return 0.0;
+    double sum = 0.0;
+    walk(tree, [&](const VisitedNode& at) {
+        const KdNode& node = tree.nodes()[at.index];
+        if (!node.is_leaf() || node.in_sample() == SampleContent::some) return;
+        sum += at.box.surface_area() / root_area * node.reference_count();
+    });
+    return sum;
+}
+
+}  // namespace coppice::lab
