@@ -53,6 +53,16 @@ void add_method(CLI::App& parser, MethodRequest& request, const std::string& see
         parser.get_option(name)->default_str("the method's");
     }
     add_threads(parser, request.threads);
+    parser
+        .add_option_function<std::string>(
+            "--memory-limit",
+            [&request](const std::string& given) {
+                request.memory_limit_bytes = parse_bytes("--memory-limit", given);
+            },
+            "Fail early if scene and build would take more: 512M, 2G;\n"
+            "--method auto takes a smaller method then")
+        ->type_name("SIZE")
+        ->default_str("none");
 }
 
 BuildOptions options_of(const MethodRequest& request) {

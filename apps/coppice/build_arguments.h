@@ -33,9 +33,11 @@ struct MethodRequest {
     std::uint64_t seed = 1;
     SahCostModel cost{not_given, not_given, not_given};
     int threads = 0;
+    std::uint64_t memory_limit_bytes = 0;  ///< 0: none
 };
 
-/// All options above, and --method, --sample and --seed, which `seed_meaning` is shown for.
+/// All options above, and --method, --sample, --memory-limit and --seed, which `seed_meaning` is
+/// shown for.
 void add_method(CLI::App& parser, MethodRequest& request, const std::string& seed_meaning);
 
 /// The options of a build that a request asks for: the method's own where nothing is given.

@@ -37,7 +37,8 @@ public:
 [[nodiscard]] Command add_list(CLI::App& program);
 [[nodiscard]] Command add_generate(CLI::App& program);
 
-/// Throws UsageError unless there is at least one scene.
-void require_scenes(const CLI::App& command, const std::vector<std::string>& scenes);
+/// Throws UsageError unless there is at least one scene. One that is to come from standard input is
+/// taken from there, see take_standard_input().
+void require_scenes(const CLI::App& command, std::vector<std::string>& scenes);
 
 }  // namespace coppice::app

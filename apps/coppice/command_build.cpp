@@ -1,5 +1,6 @@
 // coppice build: one tree by one method, the report of how it was built, and the tree as a file.
 
+#include "coppice/base/memory_meter.h"
 #include "coppice/build/build_tree.h"
 #include "coppice/build/estimate.h"
 #include "coppice/build/method.h"
@@ -10,10 +11,12 @@
 #include "command.h"
 #include "interrupts.h"
 #include "lab/build_text.h"
+#include "lab/memory_limit.h"
 #include "lab/progress_line.h"
 #include "lab/scene_names.h"
 #include "options.h"
 #include "tree_arguments.h"
+#include "watched_build.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -33,20 +36,25 @@ struct Request {
     bool as_json = false;
 };
 
-Estimate estimate(const Method& method, const BuildOptions& options, const TriangleMesh& mesh) {
-    return method.tree == TreeKind::kd ? estimate_kd_tree(mesh.view(), options)
-                                       : estimate_wide_bvh(mesh.view(), options);
+Estimate estimate(const Method& method, const BuildOptions& options, const TriangleMesh& mesh,
+                  const std::stop_token& stop) {
+    return method.tree == TreeKind::kd ? estimate_kd_tree(mesh.view(), options, stop)
+                                       : estimate_wide_bvh(mesh.view(), options, stop);
 }
 
+/// Builds, and tells the report what was expected; with a memory limit the library does the latter.
 AnyTree build(const Method& method, const BuildOptions& options, const TriangleMesh& mesh,
-              BuildReport& report) {
+              BuildReport& report, const BuildControl& control) {
+    std::optional<Estimate> expected;
+    if (control.memory_limit_bytes == 0) expected = estimate(method, options, mesh, control.stop);
     AnyTree tree;
     if (method.tree == TreeKind::kd) {
-        tree = build_kd_tree(mesh.view(), options, &report);
+        tree = build_kd_tree(mesh.view(), options, &report, control);
     } else {
-        tree = build_wide_bvh(mesh.view(), options, &report);
+        tree = build_wide_bvh(mesh.view(), options, &report, control);
     }
     report.method = method.name;
+    if (expected) report.estimate = expected;
     return tree;
 }
 
@@ -76,23 +84,30 @@ void run_request(const Request& request, Output& output) {
         progress.show(names[i] + ": loading");
         const TriangleMesh mesh = load_mesh(files[i]);
         progress.show(names[i] + ": estimating");
-        const Estimate expected = estimate(method, options, mesh);
-        progress.show(names[i] + ": building", expected.seconds);
         BuildReport report;
-        const AnyTree tree = build(method, options, mesh, report);
-        report.estimate = expected;
+        AnyTree tree;
+        watch_build(progress, names[i] + ": building",
+                    lab::limit_memory(request.build.memory_limit_bytes, mesh.view()),
+                    [&](const BuildControl& control) {
+                        tree = build(method, options, mesh, report, control);
+                    });
         if (!request.out.empty()) {
             progress.show(names[i] + ": writing");
             save(request.out, tree, mesh, report);
         }
         progress.clear();
+        note_preset(report);
+        const std::uint64_t scene_bytes = lab::byte_count(mesh.view());
         if (request.as_json) {
             scenes.push_back({{"scene", names[i]}, {"file", request.scenes[i]}});
             if (!request.out.empty()) scenes.back()["output"] = request.out;
+            scenes.back()["scene_bytes"] = scene_bytes;
+            scenes.back()["process_peak_bytes"] = process_peak_bytes();
             scenes.back()["report"] = nlohmann::json(report);
         } else {
             const std::string kind(kind_name(tree));
-            output.print((i == 0 ? "" : "\n") + lab::build_text(names[i], kind, report));
+            output.print((i == 0 ? "" : "\n") + lab::build_text(names[i], kind, report) +
+                         lab::process_text(scene_bytes, report.peak_bytes, process_peak_bytes()));
             if (!request.out.empty()) output.print(fmt::format("written: {}\n", request.out));
         }
     }

@@ -9,6 +9,7 @@
 #include "interrupts.h"
 #include "lab/progress_line.h"
 #include "options.h"
+#include "standard_input.h"
 #include "tree_arguments.h"
 
 #include <fmt/format.h>
@@ -135,6 +136,9 @@ Command add_check(CLI::App& program) {
         "  coppice check dragon.cpk scenes/dragon.obj");
     return {parser, [parser, request](Output& output) {
                 require_files(*request);
+                std::vector<std::string> scenes{request->scene};
+                take_standard_input(scenes);
+                request->scene = scenes.front();
                 wipe_line_on_interrupt();
                 run_request(*request, output);
             }};

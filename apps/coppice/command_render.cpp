@@ -9,6 +9,7 @@
 #include "build_arguments.h"
 #include "command.h"
 #include "interrupts.h"
+#include "lab/memory_limit.h"
 #include "lab/output_folder.h"
 #include "lab/progress_line.h"
 #include "lab/scene_names.h"
@@ -19,6 +20,7 @@
 #include "render/render_report.h"
 #include "tree_arguments.h"
 #include "view_arguments.h"
+#include "watched_build.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -119,11 +121,8 @@ void add_light(CLI::App& parser, Request& request) {
 }
 
 void check_output(const std::string& out) {
-    const std::filesystem::path file(out);
     const DeferInterrupts no_trace;
-    const std::string name = file.filename().string();
-    lab::check_writable(file.parent_path().empty() ? "." : file.parent_path(),
-                        std::array{std::string_view(name)});
+    lab::check_file_writable(out);
 }
 
 void write_image(const std::string& out, const render::Image& image, render::Display display,
@@ -137,16 +136,8 @@ void write_image(const std::string& out, const render::Image& image, render::Dis
     const std::filesystem::path file(out);
     const std::string contents = encode();
     const DeferInterrupts whole_file;
-    lab::write_all(file.parent_path().empty() ? "." : file.parent_path(),
+    lab::write_all(lab::folder_of(file),
                    std::array{lab::OutputFile{file.filename().string(), contents}});
-}
-
-/// "rendering [=====     ] 47 %"
-std::string bar_text(const std::string& what, double share) {
-    constexpr std::size_t width = 20;
-    std::string bar(width, ' ');
-    std::fill_n(bar.begin(), static_cast<std::ptrdiff_t>(share * width), '=');
-    return fmt::format("{} [{}] {} %", what, bar, static_cast<int>(100.0 * share));
 }
 
 /// The camera and the lights for what a scene holds; tells the report of both.
@@ -178,12 +169,21 @@ double default_ao_distance(const Aabb& box) {
 
 /// A tree built for the mesh, or loaded; tells the report which and how long it took.
 std::unique_ptr<render::RayTracer> make_tree(const Request& request, TriangleMeshView mesh,
-                                             render::RenderReport& report) {
+                                             render::RenderReport& report,
+                                             lab::ProgressLine& progress) {
     if (request.tree.empty()) {
         const Method& method = find_method(request.build.method);
         report.tree = method.tree;
-        return render::build_tracer(method, options_of(request.build), mesh, &report.build);
+        std::unique_ptr<render::RayTracer> built;
+        watch_build(progress, report.scene + ": building",
+                    lab::limit_memory(request.build.memory_limit_bytes, mesh),
+                    [&](const BuildControl& control) {
+                        built = render::build_tracer(method, options_of(request.build), mesh,
+                                                     &report.build, control);
+                    });
+        return built;
     }
+    progress.show(report.scene + ": loading its tree");
     const Timer timer;
     SavedTree saved = load_tree(request.tree, fingerprint_of(mesh));
     report.tree = std::holds_alternative<KdTree>(saved.tree) ? TreeKind::kd : TreeKind::wide;
@@ -219,15 +219,14 @@ render::RenderResult render_scene(const Request& request, render::RenderReport& 
     static_cast<void>(
         render::CameraRays(report.camera, request.options.width, request.options.height));
 
-    progress.show(report.scene + (request.tree.empty() ? ": building" : ": loading its tree"));
-    const auto tracer = make_tree(request, mesh.view(), report);
+    const auto tracer = make_tree(request, mesh.view(), report, progress);
     const render::View view{tracer.get(), mesh.view(), &attributes, &lighting};
     const auto integrator =
         render::find_integrator(request.integrator).make(report.integrator_options);
     const CatchInterrupts interrupts;
     render::RenderObserver observer;
     observer.on_progress = [&](double share, double seconds) {
-        progress.show(bar_text(report.scene + ": rendering", share),
+        progress.show(lab::bar_text(report.scene + ": rendering", share),
                       seconds * (1.0 - share) / std::max(share, 1e-6));
     };
     observer.is_stopped = [&] { return interrupts.caught(); };
@@ -245,7 +244,7 @@ void tell(const render::RenderReport& report, bool as_json, Output& output) {
     output.print(render::render_text(report) + fmt::format("written: {}\n", report.output));
 }
 
-void check_request(const CLI::App& parser, const Request& request) {
+void check_request(const CLI::App& parser, Request& request) {
     require_scenes(parser, request.scenes);
     if (request.scenes.size() > 1) {
         throw UsageError(
@@ -290,6 +289,7 @@ void run_request(const Request& request, Output& output) {
     for (const std::string& warning : report.warnings) {
         print_message("warning: " + warning);
     }
+    note_preset(report.build);
     tell(report, request.as_json, output);
     if (result.is_complete()) return;
     const double share =

@@ -79,6 +79,7 @@ void run_request(Request& request, Output& output) {
     options.method = request.build.method;
     options.build = options_of(request.build);
     options.seed = request.build.seed;
+    options.memory_limit_bytes = request.build.memory_limit_bytes;
     options.check = check_of(request.check);
     if (!request.json.empty()) check_json_file(request.json);
 

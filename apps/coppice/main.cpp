@@ -11,9 +11,11 @@
 
 #include <csignal>
 #include <new>
+#include <system_error>
 
 int main(int argument_count, char** arguments) {
     using namespace coppice;
+    app::hold_standard_streams();
     std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is a failed write, see Output
     try {
         return app::run_program(argument_count, arguments, [](const app::Command& command) {
@@ -32,6 +34,8 @@ int main(int argument_count, char** arguments) {
         app::print_message(cut_short.what());
     } catch (const std::bad_alloc&) {
         app::print_message("out of memory: the scene and its tree do not fit");
+    } catch (const std::system_error& error) {  // a thread that the system does not give
+        app::print_message(fmt::format("cannot go on: {}", error.what()));
     } catch (const std::exception& error) {
         app::print_message(fmt::format("internal error: {}", error.what()));
     }

@@ -2,6 +2,9 @@
 
 #include "coppice/base/error.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <string>
@@ -18,6 +21,14 @@ void Output::print(std::string_view text) noexcept {
 void Output::check() const {
     if (!error_ || error_ == std::errc::broken_pipe) return;
     throw Error(ErrorCode::io, "cannot write to standard output: " + error_.message());
+}
+
+void hold_standard_streams() noexcept {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (fcntl(stream, F_GETFD) != -1 || errno != EBADF) continue;
+        // The lowest free number is this one. Using it the usual way fails as it would without.
+        if (open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) != stream) return;
+    }
 }
 
 void print_message(std::string_view message) noexcept {

@@ -20,6 +20,10 @@ private:
     std::error_code error_;
 };
 
+/// Keeps the numbers of standard streams that are closed from files that are opened later: what is
+/// printed would be written into them.
+void hold_standard_streams() noexcept;
+
 /// Writes `coppice: message` to standard error as one line, control characters replaced.
 void print_message(std::string_view message) noexcept;
 

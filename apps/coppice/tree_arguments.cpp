@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <system_error>
 
 namespace coppice::app {
@@ -22,7 +21,7 @@ void check_tree_arguments(const CLI::App& parser, const std::string& tree,
                           std::span<const std::string> scenes) {
     if (tree.empty()) return;
     for (const char* name : {"--method", "--sample", "--sampler", "--traversal-cost",
-                             "--intersection-cost", "--empty-bonus"}) {
+                             "--intersection-cost", "--empty-bonus", "--memory-limit"}) {
         if (parser.count(name) == 0) continue;
         throw UsageError(
             fmt::format("{}: the tree of --tree is built already; give only one of them", name));
@@ -39,16 +38,15 @@ std::string_view kind_name(const AnyTree& tree) noexcept {
 
 void check_tree_output(const std::string& file, const std::filesystem::path& scene) {
     const std::filesystem::path path(file);
-    const std::string name = path.filename().string();
-    if (name.empty()) throw UsageError("--out: no file is named; example: --out tree.cpk");
+    if (path.filename().empty())
+        throw UsageError("--out: no file is named; example: --out tree.cpk");
     std::error_code problem;
     if (std::filesystem::equivalent(path, scene, problem)) {
         throw UsageError(
             fmt::format("--out: '{}' is the scene itself; example: --out tree.cpk", file));
     }
     const DeferInterrupts no_trace;
-    lab::check_writable(path.has_parent_path() ? path.parent_path() : ".",
-                        std::array{std::string_view(name)});
+    lab::check_file_writable(path);
 }
 
 }  // namespace coppice::app

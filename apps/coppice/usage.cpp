@@ -116,6 +116,32 @@ double parse_share(std::string_view option, std::string_view text) {
     return share;
 }
 
+std::uint64_t parse_bytes(std::string_view option, std::string_view text) {
+    constexpr std::string_view units = "KMGT";
+    constexpr double most = 0x1p62;
+    std::string_view digits = trimmed(text);
+    const auto drop = [&digits](std::string_view lower, std::string_view upper) {
+        const bool is_there = digits.ends_with(lower) || digits.ends_with(upper);
+        if (is_there) digits.remove_suffix(lower.size());
+        return is_there;
+    };
+    if (!drop("ib", "iB")) drop("b", "B");
+    double unit = 1.0;
+    for (std::size_t power = 0; power < units.size(); ++power) {
+        const char upper = units[power];
+        const auto lower = static_cast<char>(upper - 'A' + 'a');
+        if (!drop({&lower, 1}, {&upper, 1})) continue;
+        unit = std::exp2(10.0 * static_cast<double>(power + 1));
+        break;
+    }
+    double number = 0.0;
+    const bool is_number = read_number(trimmed(digits), number);
+    if (!is_number || !(unit * number >= 1.0) || unit * number > most) {
+        fail(option, text, "a size of at least 1 byte", "2G");
+    }
+    return static_cast<std::uint64_t>(unit * number);
+}
+
 Vec3f parse_vector(std::string_view option, std::string_view text) {
     Vec3f v;
     std::string_view rest = text;

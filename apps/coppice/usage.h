@@ -50,6 +50,10 @@ struct NumberRange {
 /// UsageError.
 [[nodiscard]] double parse_share(std::string_view option, std::string_view text);
 
+/// The bytes, at least 1, that `text` writes: a number, and K, M, G or T for powers of 1024 (also
+/// as KB or KiB). Throws UsageError.
+[[nodiscard]] std::uint64_t parse_bytes(std::string_view option, std::string_view text);
+
 /// The three finite numbers that `text` writes, with commas between. Throws UsageError.
 [[nodiscard]] Vec3f parse_vector(std::string_view option, std::string_view text);
 

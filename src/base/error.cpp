@@ -16,6 +16,10 @@ std::string_view error_code_name(ErrorCode code) noexcept {
             return "unsupported";
         case ErrorCode::limit:
             return "limit";
+        case ErrorCode::cancelled:
+            return "cancelled";
+        case ErrorCode::out_of_memory:
+            return "out_of_memory";
     }
     return "unknown";
 }

@@ -1,4 +1,9 @@
+// A stop needs no word passed along: oneTBB cancels all task groups below the one it is told of.
+// Its algorithms then return early and say nothing, so each call of one is followed by a look.
+
 #include "coppice/base/parallel.h"
+
+#include "coppice/base/error.h"
 
 #include "base/fork_join.h"
 
@@ -8,17 +13,34 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_sort.h>
+#include <tbb/task.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 
 namespace coppice {
+namespace {
+
+Error stopped() {
+    return {ErrorCode::cancelled, "cancelled: a stop was requested"};
+}
+
+void run_until_stopped(const std::function<void()>& work, const std::stop_token& stop) {
+    tbb::task_group_context context;
+    const std::stop_callback cancel(stop, [&] { context.cancel_group_execution(); });
+    tbb::task_group group(context);
+    if (group.run_and_wait(work) == tbb::canceled) throw stopped();
+}
+
+}  // namespace
 
 int hardware_thread_count() noexcept {
     return std::max(1, tbb::info::default_concurrency());
 }
 
-void run_with_threads(int thread_count, const std::function<void()>& work) {
+void run_with_threads(int thread_count, const std::function<void()>& work,
+                      const std::stop_token& stop) {
     // oneTBB has no more threads than the hardware, unless a program allows it, and prints a
     // warning when asked for more.
     const int available = hardware_thread_count();
@@ -27,10 +49,19 @@ void run_with_threads(int thread_count, const std::function<void()>& work) {
     tbb::task_arena arena(thread_count > 0 ? std::min(thread_count, std::max(available, allowed))
                                            : available);
     ForkJoin all;
-    arena.execute([&] {
+    const auto run = [&] {
         const ForkJoin::Task task(all);
         work();
-    });
+    };
+    if (stop.stop_possible()) {
+        arena.execute([&] { run_until_stopped(run, stop); });
+    } else {
+        arena.execute(run);
+    }
+}
+
+void throw_if_stopped() {
+    if (tbb::is_current_task_group_canceling()) throw stopped();
 }
 
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second) {
@@ -40,6 +71,7 @@ void parallel_invoke(const std::function<void()>& first, const std::function<voi
         work();
     };
     tbb::parallel_invoke([&] { run(first); }, [&] { run(second); });
+    throw_if_stopped();
 }
 
 void parallel_for_chunks(std::size_t count, std::size_t chunk_size,
@@ -51,6 +83,7 @@ void parallel_for_chunks(std::size_t count, std::size_t chunk_size,
         const std::size_t begin = chunk * chunk_size;
         body(begin, std::min(begin + chunk_size, count));
     });
+    throw_if_stopped();
 }
 
 void parallel_sort(std::span<std::uint64_t> values) {
@@ -59,6 +92,7 @@ void parallel_sort(std::span<std::uint64_t> values) {
         std::sort(values.begin(), values.end());
     } else {
         tbb::parallel_sort(values.begin(), values.end());
+        throw_if_stopped();
     }
 }
 

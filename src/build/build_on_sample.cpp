@@ -7,6 +7,8 @@
 
 #include "coppice/build/build_on_sample.h"
 
+#include "coppice/base/parallel.h"
+
 #include "build/exact/exact_builder.h"
 #include "build/kd_builder.h"
 #include "build/partition.h"
@@ -37,28 +39,33 @@ StopRule stop_rule(const SplitOptions& split) {
 }
 
 TreePart build_part(PrimitiveSetView primitives, const BuildOptions& options,
-                    std::vector<Fragment> fragments, const Aabb& box, MemoryMeter* meter) {
+                    std::vector<Fragment> fragments, const Aabb& box, MemoryMeter* meter,
+                    Progress* progress) {
     const StopRule stop = stop_rule(options.split);
+    const NodeState root{.box = box, .share = progress != nullptr ? 1.0 : 0.0};
     if (options.split.rule == "exact") {
-        return ExactBuilder(primitives, options, stop, meter).build(std::move(fragments), {box});
+        return ExactBuilder(primitives, options, stop, meter, progress)
+            .build(std::move(fragments), root);
     }
-    return KdBuilder(primitives, options, stop, meter).build(std::move(fragments), {box});
+    return KdBuilder(primitives, options, stop, meter, progress).build(std::move(fragments), root);
 }
 
 }  // namespace
 
 KdTree build_on_sample(PrimitiveSetView primitives, const Sample& sample,
-                       const BuildOptions& options, MemoryMeter* meter) {
+                       const BuildOptions& options, MemoryMeter* meter, Progress* progress) {
+    constexpr std::size_t chunk_size = 16384;
     const Aabb box = bounds_of_all(primitives);
-    std::vector<Fragment> fragments;
-    fragments.reserve(sample.ids.size());
-    for (std::size_t i = 0; i < sample.ids.size(); ++i) {
-        const std::uint32_t id = sample.ids[i];
-        fragments.push_back(
-            {primitives.bounds(id), id, weight_at(sample, i, options.split.counting)});
-    }
-    Subtree tree =
-        assemble(build_part(primitives, options, std::move(fragments), box, meter), meter);
+    std::vector<Fragment> fragments(sample.ids.size());
+    parallel_for_chunks(fragments.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::uint32_t id = sample.ids[i];
+            fragments[i] = {primitives.bounds(id), id,
+                            weight_at(sample, i, options.split.counting)};
+        }
+    });
+    Subtree tree = assemble(
+        build_part(primitives, options, std::move(fragments), box, meter, progress), meter);
     return {std::move(tree.nodes), std::move(tree.references), box};
 }
 

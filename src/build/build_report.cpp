@@ -38,6 +38,8 @@ void to_json(nlohmann::json& json, const BuildReport& report) {
             {"stages", stages_json(report.stages)},
             {"tree_bytes", report.tree_bytes},
             {"peak_bytes", report.peak_bytes},
+            {"preset", name_of(report.preset)},
+            {"preset_reason", report.preset_reason},
             {"estimate", nullptr},
             {"statistics", report.statistics}};
     if (report.estimate) json["estimate"] = *report.estimate;

@@ -1,18 +1,21 @@
+#include "coppice/base/error.h"
 #include "coppice/base/memory_meter.h"
-#include "coppice/base/parallel.h"
 #include "coppice/build/build_on_sample.h"
 #include "coppice/build/build_tree.h"
 #include "coppice/build/draw_sample.h"
 #include "coppice/build/empty_leaves.h"
+#include "coppice/build/estimate.h"
 #include "coppice/cost/measure.h"
 
 #include "build/finite_boxes.h"
 #include "build/kernels/wide_kernels.h"
+#include "build/run_build.h"
 #include "build/stage_clock.h"
 #include "build/wide/grow_wide.h"
 #include "build/wide/make_references.h"
 #include "build/wide/plan.h"
 
+#include <string>
 #include <utility>
 
 namespace coppice {
@@ -26,6 +29,7 @@ struct Run {
     MemoryMeter meter;
     const wide::Kernels& kernels;
     BuildReport& report;
+    Progress* progress;
 };
 
 wide::Top build_top(std::span<const Reference> references, const Sample& sample,
@@ -44,6 +48,7 @@ wide::Top build_top(std::span<const Reference> references, const Sample& sample,
 wide::Cells make_object_cells(TriangleMeshView mesh, const wide::Plan& plan, Run& run) {
     wide::Cells cells{{}, wide::Arena(mesh.size(), run.meter), {}};
     const std::span<Reference> references = cells.arena.first();
+    begin_stage(run.progress, 0.15);
     wide::make_references(mesh, references);
     const std::uint32_t count = mesh.size();
     run.report.sample_count = sample_count(count, plan.sampling.rate);
@@ -55,8 +60,10 @@ wide::Cells make_object_cells(TriangleMeshView mesh, const wide::Plan& plan, Run
     const Sample sample = draw_sample(wide::ReferenceSet(references), plan.sampling);
     run.report.sample_count = static_cast<std::uint32_t>(sample.ids.size());
     run.report.stages.sample = run.clock.lap(sample.ids.size());
+    begin_stage(run.progress, 0.01);
     cells.top = build_top(references, sample, plan.cell_size, run.kernels);
     run.report.stages.build = run.clock.lap(cells.top.nodes.size());
+    begin_stage(run.progress, 0.09);
     cells.ranges = wide::fill_cells(cells.top, references, cells.arena.second());
     run.report.stages.refill = run.clock.lap(count);
     return cells;
@@ -64,6 +71,7 @@ wide::Cells make_object_cells(TriangleMeshView mesh, const wide::Plan& plan, Run
 
 // Cells by planes: the first stages of a k-d tree.
 wide::Cells make_kd_cells(TriangleMeshView mesh, const wide::Plan& plan, Run& run) {
+    begin_stage(run.progress, 0.15);
     require_finite_boxes(mesh);
     const BuildOptions options{.sample = plan.sampling,
                                .split = {.rule = "binned",
@@ -75,8 +83,10 @@ wide::Cells make_kd_cells(TriangleMeshView mesh, const wide::Plan& plan, Run& ru
     const Sample sample = draw_sample(mesh, plan.sampling);
     run.report.sample_count = static_cast<std::uint32_t>(sample.ids.size());
     run.report.stages.sample = run.clock.lap(sample.ids.size());
-    KdTree sampled = build_on_sample(mesh, sample, options, &run.meter);
+    begin_stage(run.progress, 0.5 * plan.sampling.rate);
+    KdTree sampled = build_on_sample(mesh, sample, options, &run.meter, run.progress);
     run.report.stages.build = run.clock.lap(sampled.nodes().size());
+    begin_stage(run.progress, 0.2);
     const Skeleton skeleton = empty_leaves(std::move(sampled));
     run.report.stages.empty = run.clock.lap(skeleton.nodes().size());
     wide::Cells cells = wide::make_cells(skeleton, mesh, run.meter);
@@ -84,14 +94,18 @@ wide::Cells make_kd_cells(TriangleMeshView mesh, const wide::Plan& plan, Run& ru
     return cells;
 }
 
-WideBvh run_pipeline(TriangleMeshView mesh, const BuildOptions& options, BuildReport& report) {
-    Run run{{}, {}, wide::kernels_for(choose_isa()), report};
+WideBvh run_pipeline(TriangleMeshView mesh, const BuildOptions& options, BuildReport& report,
+                     Progress* progress) {
+    Run run{{}, {}, wide::kernels_for(choose_isa()), report, progress};
     const wide::Plan plan = wide::make_plan(options, mesh.size());
+    report.preset = plan.preset;
     wide::Cells cells =
         plan.by_planes ? make_kd_cells(mesh, plan, run) : make_object_cells(mesh, plan, run);
+    begin_stage(progress, plan.by_planes ? 0.4 : 0.55);
     wide::measure_cells(cells, run.kernels);
-    wide::GrownTree grown = wide::grow_wide(cells, run.kernels);
+    wide::GrownTree grown = wide::grow_wide(cells, run.kernels, progress);
     const MeteredBytes part_bytes(&run.meter, byte_count(grown.root));
+    begin_stage(progress, 0.15);
     WideBvh tree =
         wide::assemble(std::move(grown), std::move(cells.arena), mesh, run.kernels, run.meter);
     report.stages.refine = run.clock.lap(tree.blocks().size());
@@ -99,20 +113,46 @@ WideBvh run_pipeline(TriangleMeshView mesh, const BuildOptions& options, BuildRe
     return tree;
 }
 
+// The options to build by under a memory limit: those given, or, where the preset is left to us,
+// the smallest preset. Tells the report what it estimated and why it chose so.
+BuildOptions keep_within_limit(TriangleMeshView mesh, const BuildOptions& options,
+                               const BuildControl& control, BuildReport& report) {
+    if (control.memory_limit_bytes == 0) return options;
+    report.estimate = estimate_wide_bvh(mesh, options, control.stop);
+    if (is_within_limit(*report.estimate, control)) return options;
+    const wide::Plan plan = wide::make_plan(options, mesh.size());
+    const std::string excess = excess_text(name_of(plan.preset), *report.estimate, control);
+    if (options.wide.preset != WidePreset::automatic || plan.preset == WidePreset::fast) {
+        throw Error(ErrorCode::limit, excess);
+    }
+    BuildOptions smaller = options;
+    smaller.wide.preset = WidePreset::fast;
+    smaller.sample = plan.sampling;
+    report.estimate = estimate_wide_bvh(mesh, smaller, control.stop);
+    if (!is_within_limit(*report.estimate, control)) {
+        throw Error(ErrorCode::limit, excess_text("even fast", *report.estimate, control));
+    }
+    report.preset_reason = excess;
+    return smaller;
+}
+
 }  // namespace
 
-WideBvh build_wide_bvh(TriangleMeshView mesh, const BuildOptions& options, BuildReport* report) {
-    check(options);
+WideBvh build_wide_bvh(TriangleMeshView mesh, const BuildOptions& options, BuildReport* report,
+                       const BuildControl& control) {
     BuildReport own_report;
     own_report.options = options;
     own_report.primitive_count = mesh.size();
+    const BuildOptions within_limit = keep_within_limit(mesh, options, control, own_report);
     WideBvh tree;
-    run_with_threads(options.threads, [&] { tree = run_pipeline(mesh, options, own_report); });
-    if (report != nullptr) {
+    run_build(within_limit, control, [&](Progress* progress) {
+        tree = run_pipeline(mesh, within_limit, own_report, progress);
+        if (report == nullptr) return;
+        begin_stage(progress, 0.05);
         own_report.tree_bytes = tree.byte_count();
         own_report.statistics = measure(tree, options.cost);
-        *report = std::move(own_report);
-    }
+    });
+    if (report != nullptr) *report = std::move(own_report);
     return tree;
 }
 

@@ -83,16 +83,18 @@ Estimate extrapolated(const ProbeBuild& smaller, const ProbeBuild& larger, doubl
 
 // An estimate from probes of a scene, by `build(probe)`, which returns a ProbeBuild.
 template <typename Build>
-Estimate estimate_by(PrimitiveSetView primitives, const BuildOptions& options, Build&& build) {
+Estimate estimate_by(PrimitiveSetView primitives, const BuildOptions& options,
+                     const std::stop_token& stop, Build&& build) {
     check(options);
     const bool is_small = primitives.size() < least_primitives;
     std::optional<Probe> probe;
-    run_with_threads(options.threads, [&] {
+    const auto take = [&] {
         probe = is_small
                     ? take_probe(primitives, 1, 1)
                     : take_probe(primitives, std::min(most_pieces, primitives.size() / piece_size),
                                  one_in);
-    });
+    };
+    run_with_threads(options.threads, take, stop);
     const Probe thinned = probe->thinned(thinned_to);
     const auto faster_of_two = [&](const Probe& part) {
         const ProbeBuild first = build(part);
@@ -107,19 +109,21 @@ Estimate estimate_by(PrimitiveSetView primitives, const BuildOptions& options, B
 
 }  // namespace
 
-Estimate estimate_kd_tree(PrimitiveSetView primitives, const BuildOptions& options) {
-    return estimate_by(primitives, options, [&](const Probe& probe) {
+Estimate estimate_kd_tree(PrimitiveSetView primitives, const BuildOptions& options,
+                          const std::stop_token& stop) {
+    return estimate_by(primitives, options, stop, [&](const Probe& probe) {
         // Of the cuts at the pieces' borders the tree would make some anyhow, and others not: what
         // is in a piece by such a cut counts half.
         const std::uint64_t sum = probe.size() + probe.centers().size();
         ProbeBuild build{0.5 * static_cast<double>(sum), {}};
-        static_cast<void>(build_kd_tree(probe, options, &build.report));
+        static_cast<void>(build_kd_tree(probe, options, &build.report, {.stop = stop}));
         return build;
     });
 }
 
-Estimate estimate_wide_bvh(TriangleMeshView mesh, const BuildOptions& options) {
-    return estimate_by(mesh, options, [&](const Probe& probe) {
+Estimate estimate_wide_bvh(TriangleMeshView mesh, const BuildOptions& options,
+                           const std::stop_token& stop) {
+    return estimate_by(mesh, options, stop, [&](const Probe& probe) {
         // Whole triangles: object splits do not cut them.
         std::vector<TriangleIndices> triangles;
         for (const ProbeCenter& center : probe.centers()) {
@@ -128,7 +132,8 @@ Estimate estimate_wide_bvh(TriangleMeshView mesh, const BuildOptions& options) {
         ProbeBuild build{static_cast<double>(triangles.size()), {}};
         const BuildOptions probing =
             wide::scaled_down(options, mesh.size(), build.size / mesh.size());
-        static_cast<void>(build_wide_bvh({mesh.vertices(), triangles}, probing, &build.report));
+        static_cast<void>(
+            build_wide_bvh({mesh.vertices(), triangles}, probing, &build.report, {.stop = stop}));
         return build;
     });
 }

@@ -46,12 +46,13 @@ float begin_of(std::span<const Fragment> fragments, Axis axis, PlanarSide from) 
 class Grower {
 public:
     Grower(const KdTree& tree, PrimitiveSetView primitives, const BuildOptions& options,
-           MemoryMeter* meter)
+           MemoryMeter* meter, Progress* progress)
         : nodes_(tree.nodes()),
           references_below_(count_references(tree.nodes())),
           division_{primitives, options.split.clipping, meter},
           options_(options),
-          builder_(primitives, options, until_it_pays(options.split), meter) {}
+          builder_(primitives, options, until_it_pays(options.split), meter, progress),
+          progress_(progress) {}
 
     // A node of the old tree with all its fragments.
     struct Node {
@@ -59,12 +60,15 @@ public:
         std::vector<Fragment> fragments;
         Aabb box;
         int depth;
+        double share;  // as in NodeState
     };
 
     [[nodiscard]] TreePart grow(Node node) const {
+        throw_if_stopped();
         const KdNode& old = nodes_[node.index];
         if (old.is_leaf() || is_noise(node.fragments.size())) {
-            return builder_.build(std::move(node.fragments), {node.box, node.depth});
+            return builder_.build(std::move(node.fragments),
+                                  {.box = node.box, .depth = node.depth, .share = node.share});
         }
         if (is_falsely_empty(old.lower_child())) return revise(std::move(node), PlanarSide::below);
         if (is_falsely_empty(old.upper_child())) return revise(std::move(node), PlanarSide::above);
@@ -117,13 +121,13 @@ private:
         const double old_cost = evaluate_plane(query, old.plane()).cost;
         if (!PlaneEvaluator(node.box, plane.axis, options_.cost).is_inside(plane.position)) {
             if (keeps_its_promise(old_cost, node.fragments.size())) return split(std::move(node));
-            return grow({rest, std::move(node.fragments), node.box, node.depth});
+            return grow({rest, std::move(node.fragments), node.box, node.depth, node.share});
         }
         if (!(evaluate_plane(query, plane).cost < old_cost)) return split(std::move(node));
         const bool is_empty_below = side == PlanarSide::below;
         TreePart grown = grow({rest, std::move(node.fragments),
                                is_empty_below ? above(node.box, plane) : below(node.box, plane),
-                               node.depth + 1});
+                               node.depth + 1, node.share});
         return is_empty_below ? TreePart(plane, PlanarSide::above, TreePart(), std::move(grown))
                               : TreePart(plane, PlanarSide::below, std::move(grown), TreePart());
     }
@@ -139,13 +143,18 @@ private:
         node.fragments = {};  // freed before the recursion, which needs the memory
         bytes.release();
         const int depth = node.depth + 1;
+        const NodeShares shares =
+            divide_share(node.share, fragment_count, sides.below.size(), sides.above.size());
+        if (shares.own > 0.0) progress_->add(shares.own);
         return build_both(
             plane, old.planar_side(), fragment_count,
             [&] {
-                return grow({old.lower_child(), sides.take_below(), below(node.box, plane), depth});
+                return grow({old.lower_child(), sides.take_below(), below(node.box, plane), depth,
+                             shares.below});
             },
             [&] {
-                return grow({old.upper_child(), sides.take_above(), above(node.box, plane), depth});
+                return grow({old.upper_child(), sides.take_above(), above(node.box, plane), depth,
+                             shares.above});
             });
     }
 
@@ -165,14 +174,25 @@ private:
         std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
             return of_cells[a].size() > of_cells[b].size();
         });
+        const double unit = node.share / count_of(of_cells);
         std::vector<TreePart> parts(of_cells.size());
         parallel_for_chunks(order.size(), 1, [&](std::size_t at, std::size_t /*end*/) {
             const std::size_t cell = order[at];
             const Horizon::Cell& root = horizon.cells()[cell];
             bytes[cell].release();
-            parts[cell] = grow({root.index, std::move(of_cells[cell]), root.box, root.depth});
+            const double share = unit * static_cast<double>(of_cells[cell].size());
+            parts[cell] =
+                grow({root.index, std::move(of_cells[cell]), root.box, root.depth, share});
         });
         return joined(horizon, 0, parts);
+    }
+
+    static double count_of(std::span<const std::vector<Fragment>> of_cells) {
+        std::size_t count = 0;
+        for (const std::vector<Fragment>& fragments : of_cells) {
+            count += fragments.size();
+        }
+        return static_cast<double>(std::max<std::size_t>(count, 1));
     }
 
     // The parts under the planes of a horizon's node.
@@ -190,14 +210,16 @@ private:
     Division division_;
     const BuildOptions& options_;
     KdBuilder builder_;
+    Progress* progress_;
 };
 
 }  // namespace
 
 KdTree grow_kd(KdTree&& tree, PrimitiveSetView primitives, const BuildOptions& options,
-               MemoryMeter* meter) {
-    Subtree grown = assemble(Grower(tree, primitives, options, meter)
-                                 .grow({0, whole_fragments(primitives), tree.bounds(), 0}),
+               MemoryMeter* meter, Progress* progress) {
+    const double share = progress != nullptr ? 1.0 : 0.0;
+    Subtree grown = assemble(Grower(tree, primitives, options, meter, progress)
+                                 .grow({0, whole_fragments(primitives), tree.bounds(), 0, share}),
                              meter);
     const Aabb box = tree.bounds();
     tree = KdTree{};

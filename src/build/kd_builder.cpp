@@ -1,5 +1,7 @@
 #include "build/kd_builder.h"
 
+#include "coppice/base/parallel.h"
+
 #include <utility>
 
 namespace coppice {
@@ -23,12 +25,13 @@ Clipping clipping_in_small_nodes(const BuildOptions& options, const StopRule& st
 }  // namespace
 
 KdBuilder::KdBuilder(PrimitiveSetView primitives, const BuildOptions& options, const StopRule& stop,
-                     MemoryMeter* meter)
+                     MemoryMeter* meter, Progress* progress)
     : division_{primitives, options.split.clipping, meter},
       small_division_{primitives, clipping_in_small_nodes(options, stop), meter},
       finder_(find_split_finder(options.split.rule)),
       cost_(options.cost),
-      stop_(stop) {}
+      stop_(stop),
+      progress_(progress) {}
 
 // The split of a node, or nothing if it is to be a leaf; counts a bad refine on the node's path.
 std::optional<Split> KdBuilder::find_split(std::span<const Fragment> fragments,
@@ -42,18 +45,21 @@ std::optional<Split> KdBuilder::find_split(std::span<const Fragment> fragments,
 }
 
 TreePart KdBuilder::build(std::vector<Fragment> fragments, NodeState node) const {
+    throw_if_stopped();
     MeteredBytes bytes(division_.meter, fragments);
     if (fragments.size() < parallel_fragment_count) {
         Subtree tree;
         const std::size_t count = fragments.size();
         FragmentStack stack(std::move(fragments));
         build_alone(tree, 0, stack, count, node);
+        if (node.share > 0.0) progress_->add(node.share);
         return TreePart(std::move(tree), division_.meter);
     }
     const auto split = find_split(fragments, node);
     if (!split) {
         Subtree leaf;
         make_leaf(leaf, 0, fragments);
+        if (node.share > 0.0) progress_->add(node.share);
         return TreePart(std::move(leaf), division_.meter);
     }
     const Plane plane = split->plane;
@@ -62,10 +68,14 @@ TreePart KdBuilder::build(std::vector<Fragment> fragments, NodeState node) const
     fragments = {};  // freed before the recursion, which needs the memory
     bytes.release();
     const double more = ratio(sides.below.size() + sides.above.size(), count);
+    const NodeShares shares =
+        divide_share(node.share, count, sides.below.size(), sides.above.size());
+    if (shares.own > 0.0) progress_->add(shares.own);
+    const NodeState lower = node.child(below(node.box, plane), more, shares.below);
+    const NodeState upper = node.child(above(node.box, plane), more, shares.above);
     return build_both(
-        plane, split->planar_side, count,
-        [&] { return build(sides.take_below(), node.child(below(node.box, plane), more)); },
-        [&] { return build(sides.take_above(), node.child(above(node.box, plane), more)); });
+        plane, split->planar_side, count, [&] { return build(sides.take_below(), lower); },
+        [&] { return build(sides.take_above(), upper); });
 }
 
 // As build(), within one task: the node's fragments are the topmost `count`, and are popped.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "coppice/build/build_options.h"
+#include "coppice/build/progress.h"
 #include "coppice/build/split_finder.h"
 #include "coppice/geom/primitive_set.h"
 
@@ -22,9 +23,9 @@ namespace coppice {
 class KdBuilder {
 public:
     KdBuilder(PrimitiveSetView primitives, const BuildOptions& options, const StopRule& stop,
-              MemoryMeter* meter = nullptr);
+              MemoryMeter* meter = nullptr, Progress* progress = nullptr);
 
-    /// The subtree of a node with these fragments.
+    /// The subtree of a node with these fragments; `node.share` of the stage is done then.
     [[nodiscard]] TreePart build(std::vector<Fragment> fragments, NodeState node) const;
 
 private:
@@ -38,6 +39,7 @@ private:
     const SplitFinder& finder_;
     SahCostModel cost_;
     StopRule stop_;
+    Progress* progress_;
 };
 
 }  // namespace coppice

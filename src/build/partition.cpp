@@ -119,9 +119,16 @@ std::vector<Fragment> whole_fragments(PrimitiveSetView primitives) {
 }
 
 Aabb bounds_of_all(PrimitiveSetView primitives) {
+    constexpr std::size_t chunk_size = 16384;
+    std::vector<Aabb> parts((primitives.size() + chunk_size - 1) / chunk_size);
+    parallel_for_chunks(primitives.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t id = begin; id < end; ++id) {
+            parts[begin / chunk_size].grow(primitives.bounds(static_cast<std::uint32_t>(id)));
+        }
+    });
     Aabb box;
-    for (std::uint32_t id = 0; id < primitives.size(); ++id) {
-        box.grow(primitives.bounds(id));
+    for (const Aabb& part : parts) {
+        box.grow(part);
     }
     return box;
 }

@@ -110,13 +110,14 @@ void place_references(std::vector<KdNode>& nodes, std::uint64_t reference_count)
 }  // namespace
 
 KdTree refill(Skeleton&& skeleton, PrimitiveSetView primitives, const BuildOptions& options,
-              MemoryMeter* meter) {
+              MemoryMeter* meter, Progress* progress) {
     const Aabb box = skeleton.bounds();
     std::vector<KdNode> nodes = std::move(skeleton).release_nodes();
     std::vector<std::uint32_t> references;
     Refill(nodes, {primitives, options.split.clipping, meter})
         .fill(0, whole_fragments(primitives), references);
     place_references(nodes, references.size());
+    if (progress != nullptr) progress->add(1.0);
     return {std::move(nodes), std::move(references), box};
 }
 

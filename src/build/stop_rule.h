@@ -20,10 +20,12 @@ struct NodeState {
     int depth = 0;
     int bad_refines_so_far = 0;
     double duplication = 1.0;  ///< how many a fragment has become on the path, on average
+    double share = 0.0;        ///< of the stage's work, for Progress; 0: nobody asks
 
     /// The state of a child with this box. `more`: the fragments of both children over the node's.
-    [[nodiscard]] NodeState child(const Aabb& child_box, double more) const noexcept {
-        return {child_box, depth + 1, bad_refines_so_far, duplication * more};
+    [[nodiscard]] NodeState child(const Aabb& child_box, double more,
+                                  double child_share = 0.0) const noexcept {
+        return {child_box, depth + 1, bad_refines_so_far, duplication * more, child_share};
     }
 };
 

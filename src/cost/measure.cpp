@@ -4,6 +4,7 @@
 
 #include "coppice/cost/measure.h"
 
+#include "coppice/base/parallel.h"
 #include "coppice/tree/walk.h"
 
 #include "cost/statistics_sum.h"
@@ -12,6 +13,9 @@
 
 namespace coppice {
 namespace {
+
+// What is below a binary node of this depth takes no time to speak of.
+constexpr int depth_of_looks = 12;
 
 class KdMeasurement {
 public:
@@ -27,6 +31,7 @@ public:
 private:
     // Returns the node's cost, given that a ray meets it.
     double visit(const VisitedNode& at, double probability) {
+        if (at.depth <= depth_of_looks) throw_if_stopped();
         const KdNode& node = tree_.nodes()[at.index];
         if (node.is_leaf()) {
             const std::uint32_t count = node.reference_count();
@@ -63,6 +68,7 @@ public:
 
 private:
     void visit(std::uint32_t index, double probability, int depth) {
+        if (depth <= depth_of_looks / 3) throw_if_stopped();
         sum_.add_inner(depth, probability, model_.traversal);
         const WideNode& node = tree_.nodes()[index];
         for (std::size_t slot = 0; slot < wide_width; ++slot) {

@@ -2,6 +2,8 @@
 
 #include "coppice/base/rng.h"
 
+#include "geom/require_ids.h"
+
 #include <algorithm>
 #include <tuple>
 
@@ -24,6 +26,10 @@ void shuffle(std::vector<Vec3f>& points, std::uint64_t seed) {
 }
 
 }  // namespace
+
+PointCloudView::PointCloudView(std::span<const Vec3f> points) : points_(points) {
+    require_ids(points.size(), "points");
+}
 
 std::vector<Vec3f> shuffled_distinct_points(std::span<const Vec3f> points, std::uint64_t seed) {
     std::vector<Vec3f> distinct(points.begin(), points.end());

@@ -1,6 +1,14 @@
 #include "coppice/geom/triangle_mesh.h"
 
+#include "geom/require_ids.h"
+
 namespace coppice {
+
+TriangleMeshView::TriangleMeshView(std::span<const Vec3f> vertices,
+                                   std::span<const TriangleIndices> triangles)
+    : vertices_(vertices), triangles_(triangles) {
+    require_ids(triangles.size(), "triangles");
+}
 
 Aabb bounds_of(std::span<const Vec3f> points) noexcept {
     Aabb box;

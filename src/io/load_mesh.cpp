@@ -4,6 +4,7 @@
 #include "coppice/base/timer.h"
 #include "coppice/io/mesh_attributes.h"
 
+#include "base/out_of_memory.h"
 #include "io/count_oddities.h"
 #include "io/input_file.h"
 #include "io/load_obj.h"
@@ -14,7 +15,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace coppice {
@@ -30,8 +34,29 @@ std::string format_extension(const std::filesystem::path& file) {
     return extension;
 }
 
+/// The extension that a file without one should have, by how it begins; empty if that is unknown.
+std::string extension_by_contents(const std::filesystem::path& file) {
+    constexpr std::size_t enough = 256;
+    InputFile input(file);
+    std::string begin(input.read(enough));
+    begin.erase(0, begin.find_first_not_of(" \t\r\n"));
+    if (begin.starts_with("ply")) return ".ply";
+    if (begin.substr(0, begin.find_first_of(" \r\n")).ends_with("OFF")) return ".off";
+    const std::string word = begin.substr(0, begin.find_first_of(" \t\r\n"));
+    constexpr std::array statements{"v", "vn", "vt", "vp",     "f",     "o",
+                                    "g", "s",  "l",  "mtllib", "usemtl"};
+    const bool is_obj = begin.starts_with('#') ||
+                        std::find(statements.begin(), statements.end(), word) != statements.end();
+    return is_obj ? ".obj" : "";
+}
+
 LoadedMesh load_by_extension(const std::filesystem::path& file, MeshAttributes* attributes) {
-    const std::string extension = format_extension(file);
+    std::string extension = format_extension(file);
+    if (extension.empty()) extension = extension_by_contents(file);
+    if (extension.empty()) {
+        throw file_error(ErrorCode::unsupported, file.string(),
+                         "the name has no extension, and it begins like none of OBJ, PLY and OFF");
+    }
     if (extension == ".obj" || extension == ".obj.gz") {
         return load_obj(file, attributes);
     }
@@ -55,16 +80,18 @@ TriangleMesh load_mesh(const std::filesystem::path& file, LoadReport* report,
     const Timer timer;
     const std::uint64_t file_bytes = regular_file_bytes(file);
     if (attributes != nullptr) *attributes = {};
-    LoadedMesh loaded = load_by_extension(file, attributes);
-    if (report != nullptr) {
-        *report = std::move(loaded.report);
-        report->file_bytes = file_bytes;
-        report->vertex_count = loaded.mesh.vertices.size();
-        report->triangle_count = loaded.mesh.triangles.size();
-        count_oddities(loaded.mesh.view(), *report);
-        report->load_seconds = timer.seconds();
-    }
-    return std::move(loaded.mesh);
+    return with_memory_errors(file.string(), [&] {
+        LoadedMesh loaded = load_by_extension(file, attributes);
+        if (report != nullptr) {
+            *report = std::move(loaded.report);
+            report->file_bytes = file_bytes;
+            report->vertex_count = loaded.mesh.vertices.size();
+            report->triangle_count = loaded.mesh.triangles.size();
+            count_oddities(loaded.mesh.view(), *report);
+            report->load_seconds = timer.seconds();
+        }
+        return std::move(loaded.mesh);
+    });
 }
 
 }  // namespace coppice

@@ -2,6 +2,7 @@
 
 #include "coppice/base/error.h"
 
+#include "base/out_of_memory.h"
 #include "io/new_file.h"
 #include "io/text.h"
 
@@ -124,13 +125,15 @@ void save_mesh(TriangleMeshView mesh, const std::filesystem::path& file) {
             fmt::format("cannot write {} files, only .obj and .ply", in_quotes(extension)));
     }
     check_is_writable(mesh, is_obj, file.string());
-    NewFile output(file);
-    if (is_obj) {
-        write_obj(mesh, output);
-    } else {
-        write_ply(mesh, output);
-    }
-    output.commit();
+    with_memory_errors(file.string(), [&] {
+        NewFile output(file);
+        if (is_obj) {
+            write_obj(mesh, output);
+        } else {
+            write_ply(mesh, output);
+        }
+        output.commit();
+    });
 }
 
 }  // namespace coppice

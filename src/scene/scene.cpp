@@ -6,9 +6,9 @@
 
 namespace coppice {
 
-Scene::Scene(TriangleMesh mesh, const BuildOptions& options)
+Scene::Scene(TriangleMesh mesh, const BuildOptions& options, const BuildControl& control)
     : mesh_(std::move(mesh)),
-      tracer_(build_wide_bvh(mesh_.view(), options, &report_)),
+      tracer_(build_wide_bvh(mesh_.view(), options, &report_, control)),
       search_(tracer_.tree()) {}
 
 std::optional<Hit> Scene::intersect(const Ray& ray) const noexcept {

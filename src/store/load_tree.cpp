@@ -9,6 +9,7 @@
 #include "coppice/base/error.h"
 #include "coppice/store/tree_file.h"
 
+#include "base/out_of_memory.h"
 #include "store/checksum.h"
 #include "store/mapped_file.h"
 #include "store/structure.h"
@@ -194,16 +195,18 @@ SavedTree read(const TreeFile& file) {
 }  // namespace
 
 SavedTree load_tree(const std::filesystem::path& file) {
-    return read(TreeFile(file));
+    return with_memory_errors(file.string(), [&] { return read(TreeFile(file)); });
 }
 
 SavedTree load_tree(const std::filesystem::path& file, const Fingerprint& primitives) {
-    const TreeFile opened(file);
-    const std::string other = difference(opened.header().primitives, primitives);
-    if (!other.empty()) {
-        opened.fail(ErrorCode::invalid_argument, "built for another mesh: " + other);
-    }
-    return read(opened);
+    return with_memory_errors(file.string(), [&] {
+        const TreeFile opened(file);
+        const std::string other = difference(opened.header().primitives, primitives);
+        if (!other.empty()) {
+            opened.fail(ErrorCode::invalid_argument, "built for another mesh: " + other);
+        }
+        return read(opened);
+    });
 }
 
 }  // namespace coppice

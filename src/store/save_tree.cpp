@@ -1,5 +1,6 @@
 #include "coppice/store/tree_file.h"
 
+#include "base/out_of_memory.h"
 #include "io/new_file.h"
 #include "store/checksum.h"
 #include "store/tree_file_header.h"
@@ -52,14 +53,18 @@ TreeFileHeader make_header(TreeFileHeader::Kind kind, const Fingerprint& primiti
 
 void save_tree(const std::filesystem::path& file, const KdTree& tree, const Fingerprint& primitives,
                const TreeOrigin& origin) {
-    save(file, tree.nodes(), tree.references(), origin,
-         make_header(TreeFileHeader::kd, primitives, tree.bounds()));
+    with_memory_errors(file.string(), [&] {
+        save(file, tree.nodes(), tree.references(), origin,
+             make_header(TreeFileHeader::kd, primitives, tree.bounds()));
+    });
 }
 
 void save_tree(const std::filesystem::path& file, const WideBvh& tree,
                const Fingerprint& primitives, const TreeOrigin& origin) {
-    save(file, tree.nodes(), tree.blocks(), origin,
-         make_header(TreeFileHeader::wide, primitives, tree.bounds()));
+    with_memory_errors(file.string(), [&] {
+        save(file, tree.nodes(), tree.blocks(), origin,
+             make_header(TreeFileHeader::wide, primitives, tree.bounds()));
+    });
 }
 
 }  // namespace coppice

@@ -28,6 +28,8 @@ TEST(Error, CodesHaveStableNames) {
     EXPECT_EQ(error_code_name(ErrorCode::parse), "parse");
     EXPECT_EQ(error_code_name(ErrorCode::unsupported), "unsupported");
     EXPECT_EQ(error_code_name(ErrorCode::limit), "limit");
+    EXPECT_EQ(error_code_name(ErrorCode::cancelled), "cancelled");
+    EXPECT_EQ(error_code_name(ErrorCode::out_of_memory), "out_of_memory");
     EXPECT_EQ(error_code_name(static_cast<ErrorCode>(99)), "unknown");
 }
 

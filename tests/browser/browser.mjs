@@ -2,12 +2,9 @@
 
 import { existsSync } from "node:fs";
 
-const candidates = [
-  process.env.CHROMIUM,
-  "/usr/bin/chromium",
-  "/usr/bin/chromium-browser",
-  "/usr/bin/google-chrome",
-];
+const candidates = process.env.CHROMIUM
+  ? [process.env.CHROMIUM]
+  : ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
 
 // A test that cannot run ends with the code that ctest is told to take for it.
 function skip(reason) {
@@ -16,7 +13,7 @@ function skip(reason) {
 }
 
 export async function launchBrowser() {
-  const executablePath = candidates.find((path) => path && existsSync(path));
+  const executablePath = candidates.find(existsSync);
   if (executablePath === undefined) skip("no Chromium (Debian: chromium); run tools/setup --checks");
   const playwright = await import("playwright-core").catch(() =>
     skip("playwright-core is not installed; run tools/setup --checks"),

@@ -7,6 +7,7 @@
 #include "coppice/trace/brute_force.h"
 #include "coppice/trace/wide_tracer.h"
 
+#include "build/wide/top.h"
 #include "support/isa.h"
 #include "support/meshes.h"
 #include "support/rays.h"
@@ -129,6 +130,27 @@ TEST(BuildWideBvh, IsNeverTooDeep) {
         size *= 0.9F;
     }
     EXPECT_TRUE(is_sound(build_wide_bvh(mesh.view()), mesh.view()));
+}
+
+// Cells by planes hold more references than there are triangles.
+TEST(BuildWideBvh, RefusesMoreReferencesThanItCanName) {
+    constexpr std::size_t most = 0xffffffff;
+    const std::vector<wide::Range> ranges =
+        wide::make_ranges(std::vector{std::size_t{3}, most - 3});
+    EXPECT_EQ(ranges[1].begin, 3U);
+    EXPECT_EQ(ranges[1].end, most);
+    for (const std::vector<std::size_t>& sizes :
+         {std::vector{most + 1}, std::vector{most, std::size_t{1}}}) {
+        try {
+            static_cast<void>(wide::make_ranges(sizes));
+            FAIL() << "no error";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::limit);
+            EXPECT_STREQ(
+                error.what(),
+                "the tree would have 4294967296 references; at most 4294967295 are possible");
+        }
+    }
 }
 
 }  // namespace

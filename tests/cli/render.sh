@@ -36,6 +36,7 @@ for integrator in whitted ao path normal depth; do
 done
 
 # The same as data.
+mkdir new
 expect_exit 0 coppice render balls.ply -o new/a.png "${quick[@]}" --integrator path --json \
     --method sampled --eye 50,60,70 --fov 30 --light none --sky 1,1,1
 expect_equal "$(python3 -c '
@@ -79,6 +80,10 @@ mkdir folder.png
 expect_exit 1 coppice render missing.obj -o folder.png
 expect_stderr_one_line
 expect_stderr 'folder.png: is a folder'
+
+expect_exit 1 coppice render balls.ply -o none/a.png
+expect_stderr '^coppice: none/a.png: cannot write the file: there is no folder none$'
+expect_no_file none
 
 # Wrong use.
 wrong() { # wrong PATTERN ARG...

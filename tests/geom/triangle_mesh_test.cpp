@@ -1,5 +1,7 @@
 #include "coppice/geom/triangle_mesh.h"
 
+#include "coppice/base/error.h"
+#include "coppice/geom/point_cloud.h"
 #include "coppice/geom/primitive_set.h"
 
 #include "support/meshes.h"
@@ -33,6 +35,24 @@ TEST(TriangleMeshView, SeesTheMesh) {
     EXPECT_EQ(view.triangles().data(), mesh.triangles.data());
     EXPECT_EQ(view.triangle(1), (Triangle{Vec3f{0, 0, 3}, Vec3f{0, 2, 0}, Vec3f{1, 0, 0}}));
     EXPECT_EQ(view.bounds(1), (Aabb{{0, 0, 0}, {1, 2, 3}}));
+}
+
+TEST(TriangleMeshView, RefusesMoreTrianglesThanIds) {
+    const TriangleIndices none{};
+    const auto error_of = [&](std::size_t count) {  // nothing of them is read
+        try {
+            static_cast<void>(TriangleMeshView({}, std::span(&none, count)));
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::limit);
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(error_of(0xffffffff), "");
+    EXPECT_EQ(error_of(std::size_t{1} << 32),
+              "4294967296 triangles are too many; at most 4294967295 are possible");
+    const Vec3f point{};
+    EXPECT_THROW(PointCloudView(std::span(&point, std::size_t{1} << 32)), Error);
 }
 
 TEST(TriangleMeshView, ClipsItsTriangles) {

@@ -84,4 +84,10 @@ std::string build_text(const std::string& scene, const std::string& tree,
            estimate_text(report);
 }
 
+std::string process_text(std::uint64_t scene_bytes, std::uint64_t build_bytes,
+                         std::uint64_t process_bytes) {
+    return fmt::format("  process  {} bytes at most: scene and build {}, of these the scene {}\n",
+                       process_bytes, scene_bytes + build_bytes, scene_bytes);
+}
+
 }  // namespace coppice::lab

@@ -11,4 +11,8 @@ namespace coppice::lab {
 [[nodiscard]] std::string build_text(const std::string& scene, const std::string& tree,
                                      const BuildReport& report);
 
+/// The scene's and the build's bytes together, and what the process held at most, as a line.
+[[nodiscard]] std::string process_text(std::uint64_t scene_bytes, std::uint64_t build_bytes,
+                                       std::uint64_t process_bytes);
+
 }  // namespace coppice::lab

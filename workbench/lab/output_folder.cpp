@@ -3,6 +3,7 @@
 #include "coppice/base/error.h"
 #include "coppice/io/write_file.h"
 
+#include <array>
 #include <cstdlib>
 #include <system_error>
 #include <vector>
@@ -96,6 +97,23 @@ void check_writable(const fs::path& folder, std::span<const std::string_view> na
                              "is a folder where a file is to be written");
         }
     }
+}
+
+fs::path folder_of(const fs::path& file) {
+    return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+void check_file_writable(const fs::path& file) {
+    std::error_code error;
+    const fs::path folder = folder_of(file);
+    const bool is_there = fs::exists(folder, error);
+    if (error) fail(file, "cannot write the file", error);
+    if (!is_there) {
+        throw file_error(ErrorCode::io, file.string(),
+                         "cannot write the file: there is no folder " + folder.string());
+    }
+    const std::string name = file.filename().string();
+    check_writable(folder, std::array{std::string_view(name)});
 }
 
 void write_all(const fs::path& folder, std::span<const OutputFile> files) {

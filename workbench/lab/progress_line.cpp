@@ -48,6 +48,13 @@ std::string progress_text(const std::string& what, double elapsed_seconds,
     return (what.substr(0, room_for_what) + times).substr(0, room);
 }
 
+std::string bar_text(const std::string& what, double share) {
+    constexpr std::size_t width = 20;
+    std::string bar(width, ' ');
+    std::fill_n(bar.begin(), static_cast<std::ptrdiff_t>(share * width), '=');
+    return fmt::format("{} [{}] {} %", what, bar, static_cast<int>(100.0 * share));
+}
+
 ProgressLine::ProgressLine(std::FILE* stream)
     : stream_(stream), is_active_(can_wipe_lines(stream)) {
     if (is_active_) redraw_ = std::thread([this] { redraw_until_stopped(); });

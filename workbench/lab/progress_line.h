@@ -19,8 +19,12 @@ namespace coppice::lab {
 [[nodiscard]] std::string progress_text(const std::string& what, double elapsed_seconds,
                                         std::optional<double> remaining_seconds, int width);
 
+/// "rendering [=====     ] 47 %", for a share in [0, 1].
+[[nodiscard]] std::string bar_text(const std::string& what, double share);
+
 /// One line on a terminal that tells what runs; redrawn every half second, wiped out by clear().
-/// Where the stream is no terminal nothing is ever written. May be used from one thread only.
+/// Where the stream is no terminal nothing is ever written. May be used by any thread, one at a
+/// time.
 class ProgressLine {
 public:
     /// The line appears with the first show(); elapsed time counts from here.

@@ -36,7 +36,8 @@ struct TraceOptions {
     render::CameraWish camera;  ///< for all scenes
     std::uint64_t seed = 1;     ///< of the rays
     TraceCheck check = TraceCheck::none;
-    bool counts = false;  ///< count what the traversal does
+    std::uint64_t memory_limit_bytes = 0;  ///< of scene and build; 0: none
+    bool counts = false;                   ///< count what the traversal does
 };
 
 }  // namespace coppice::lab

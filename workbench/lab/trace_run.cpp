@@ -10,6 +10,7 @@
 #include "coppice/io/load_mesh.h"
 #include "coppice/store/tree_file.h"
 
+#include "lab/memory_limit.h"
 #include "lab/named.h"
 #include "lab/ray_maker.h"
 #include "lab/scene_names.h"
@@ -67,7 +68,8 @@ public:
         const Timer timer;
         if (run_.options.tree.empty()) {
             tell("building");
-            tree_.emplace(mesh_, find_method(run_.options.method).tree, run_.options.build);
+            tree_.emplace(mesh_, find_method(run_.options.method).tree, run_.options.build,
+                          limit_memory(run_.options.memory_limit_bytes, mesh_));
             scene_.method = run_.options.method;
         } else {
             tell("loading its tree");

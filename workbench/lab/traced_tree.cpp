@@ -8,12 +8,13 @@
 
 namespace coppice::lab {
 
-TracedTree::TracedTree(TriangleMeshView mesh, TreeKind kind, const BuildOptions& options)
+TracedTree::TracedTree(TriangleMeshView mesh, TreeKind kind, const BuildOptions& options,
+                       const BuildControl& control)
     : mesh_(mesh) {
     if (kind == TreeKind::wide) {
-        wide_.emplace(build_wide_bvh(mesh, options));
+        wide_.emplace(build_wide_bvh(mesh, options, nullptr, control));
     } else {
-        kd_ = build_kd_tree(mesh, options);
+        kd_ = build_kd_tree(mesh, options, nullptr, control);
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/build/build_control.h"
 #include "coppice/build/method.h"
 #include "coppice/geom/triangle_mesh.h"
 #include "coppice/store/tree_file.h"
@@ -15,7 +16,8 @@ namespace coppice::lab {
 class TracedTree {
 public:
     /// Builds the tree. Throws like build_kd_tree() and build_wide_bvh().
-    TracedTree(TriangleMeshView mesh, TreeKind kind, const BuildOptions& options);
+    TracedTree(TriangleMeshView mesh, TreeKind kind, const BuildOptions& options,
+               const BuildControl& control = {});
 
     /// Takes a tree that there is, over that mesh.
     TracedTree(TriangleMeshView mesh, AnyTree tree);

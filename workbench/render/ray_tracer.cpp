@@ -64,12 +64,13 @@ std::unique_ptr<RayTracer> make_tracer(AnyTree tree, TriangleMeshView mesh) {
 }
 
 std::unique_ptr<RayTracer> build_tracer(const Method& method, const BuildOptions& options,
-                                        TriangleMeshView mesh, BuildReport* report) {
+                                        TriangleMeshView mesh, BuildReport* report,
+                                        const BuildControl& control) {
     AnyTree tree;
     if (method.tree == TreeKind::kd) {
-        tree = build_kd_tree(mesh, options, report);
+        tree = build_kd_tree(mesh, options, report, control);
     } else {
-        tree = build_wide_bvh(mesh, options, report);
+        tree = build_wide_bvh(mesh, options, report, control);
     }
     if (report != nullptr) report->method = method.name;
     return make_tracer(std::move(tree), mesh);

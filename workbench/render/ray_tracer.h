@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/build/build_control.h"
 #include "coppice/build/build_report.h"
 #include "coppice/build/method.h"
 #include "coppice/geom/ray.h"
@@ -39,6 +40,7 @@ public:
 [[nodiscard]] std::unique_ptr<RayTracer> build_tracer(const Method& method,
                                                       const BuildOptions& options,
                                                       TriangleMeshView mesh,
-                                                      BuildReport* report = nullptr);
+                                                      BuildReport* report = nullptr,
+                                                      const BuildControl& control = {});
 
 }  // namespace coppice::render

@@ -86,10 +86,12 @@ json protocol_scale(const std::vector<std::string>& protocols,
         domain.push_back(style.label);
         range.push_back(style.*range_member);
     }
-    return {{"field", "protocol"},
-            {"type", "nominal"},
-            {"title", nullptr},
-            {"scale", {{"domain", domain}, {"range", range}}}};
+    json encoding{{"field", "protocol"},
+                  {"type", "nominal"},
+                  {"title", nullptr},
+                  {"scale", {{"domain", domain}, {"range", range}}}};
+    if (protocols.size() > 3) encoding["legend"] = {{"columns", 3}};
+    return encoding;
 }
 
 // A protocol with another sampler than usual: its colour, lighter or darker, and another shape.

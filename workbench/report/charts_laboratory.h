@@ -31,7 +31,8 @@ struct TreePairPoints {
     const RatePoint* sampled = nullptr;
 };
 
-/// The pair of the last protocol that has one with costs by level; null pointers if none has.
+/// The pair of the last protocol that has one with costs by level, by the usual sampler if there is
+/// one; null pointers if none has.
 [[nodiscard]] TreePairPoints find_tree_pair(const Series& series);
 
 /// The cost at each level of both trees of find_tree_pair().

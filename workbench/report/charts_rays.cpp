@@ -165,6 +165,7 @@ json make_image_time_chart(const json& scene) {
     chart["encoding"] = {{"x", value_axis("rays", "Number of rays", numbers_of(values, "rays"))},
                          {"y", value_axis("seconds", "Seconds to the image, building included",
                                           numbers_of(values, "seconds"))}};
+    chart["encoding"]["x"]["axis"]["format"] = "~s";
     const json color{{"field", "tree"},
                      {"type", "nominal"},
                      {"title", "fastest"},

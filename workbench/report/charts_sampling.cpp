@@ -129,7 +129,9 @@ TreePairPoints find_tree_pair(const Series& series) {
                 sampled == nullptr || point.is_recommended || !sampled->is_recommended;
             if (is_better) sampled = &point;
         }
-        if (has_level_costs(full) && has_level_costs(sampled)) pair = {full, sampled};
+        if (!has_level_costs(full) || !has_level_costs(sampled)) continue;
+        const bool is_usual = line.find(", ") == std::string::npos;  // by the usual sampler
+        if (pair.full == nullptr || is_usual) pair = {full, sampled};
     }
     return pair;
 }

@@ -100,12 +100,7 @@ std::string answer_section(const json& scene, const std::vector<Series>& series,
         anchor, escape_html(name), scene_facts(scene), make_answer(scene, series));
     if (series.empty()) return html + "</section>\n";
     html += "<div class=\"grid\">" + make_picture(exhibits, name);
-    const Series& main = main_series(series);
-    html += cost_time_figure(main);
-    for (const Series& kind : series) {
-        if (&kind != &main) html += cost_time_figure(kind);
-    }
-    html += "</div>";
+    html += cost_time_figure(main_series(series)) + "</div>";
     const bool has_verdict = std::ranges::any_of(series, &Series::has_relative_cost);
     if (has_verdict) html += make_recommendation_table(scene, series);
     return html + "</section>\n";
@@ -200,12 +195,21 @@ const Series& comparable_series(const std::vector<Series>& series) {
     return points != series.end() ? *points : series.front();
 }
 
-std::string kind_section(const json& scene, const Series& series, bool is_compared) {
+// What a kind's section has beside what all have.
+struct KindParts {
+    bool has_main_chart = false;  // or else it is on the first screen
+    bool has_thesis = false;
+};
+
+std::string kind_section(const json& scene, const Series& series, const KindParts& parts) {
     const std::string kind = escape_html(series.kind);
     std::string html = fmt::format("<section><h3 id=\"{}\">Trees over {}</h3>", series.key, kind);
     html += make_findings(series);
+    if (parts.has_main_chart) {
+        html += "<div class=\"grid\">" + cost_time_figure(series) + "</div>";
+    }
     html += "<h4>The thesis’s figures again</h4>" + thesis_figures(series);
-    if (is_compared) html += "<h4>Beside the thesis’s own numbers</h4>" + comparison(series);
+    if (parts.has_thesis) html += "<h4>Beside the thesis’s own numbers</h4>" + comparison(series);
     html += "<h4>Where the time goes</h4>" + stage_figures(series);
     if (has_details(series)) html += "<h4>What a ray meets</h4>" + ray_figures(series);
     html += make_laboratory(scene, series);
@@ -230,7 +234,9 @@ std::string scene_section(const json& scene, const std::vector<Series>& series,
         anchor, escape_html(text_at(scene, "scene")));
     html += exhibit_section(scene, exhibits, anchor);
     for (const Series& kind : series) {
-        html += kind_section(scene, kind, &kind == &comparable_series(series));
+        html += kind_section(scene, kind,
+                             {.has_main_chart = &kind != &main_series(series),
+                              .has_thesis = &kind == &comparable_series(series)});
     }
     json loaded = json::object();
     if (scene.contains("load_report")) loaded = scene["load_report"];

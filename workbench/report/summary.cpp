@@ -31,17 +31,18 @@ std::string from_to(double least, double greatest) {
     return low == high ? low : low + " to " + high;
 }
 
+// " (95 % interval 1.68 to 1.74 of 3 seeds)", where there are several.
+std::string spread(const Range& ratio, std::size_t seed_count) {
+    if (seed_count <= 1) return {};
+    return ratio.interval
+               ? fmt::format(" (95 % interval {} of {} seeds)",
+                             from_to(ratio.interval->front(), ratio.interval->back()), seed_count)
+               : fmt::format(" ({} over {} seeds)", from_to(ratio.min, ratio.max), seed_count);
+}
+
 // "1.71 times", with the spread over the seeds where there are several.
 std::string times(const Range& ratio, std::size_t seed_count) {
-    std::string text = format_ratio(ratio.mean) + " times";
-    if (seed_count > 1) {
-        text +=
-            ratio.interval
-                ? fmt::format(" (95 % interval {} of {} seeds)",
-                              from_to(ratio.interval->front(), ratio.interval->back()), seed_count)
-                : fmt::format(" ({} over {} seeds)", from_to(ratio.min, ratio.max), seed_count);
-    }
-    return text;
+    return format_ratio(ratio.mean) + " times" + spread(ratio, seed_count);
 }
 
 // The protocol's point with the smallest sample.
@@ -97,8 +98,8 @@ std::string choice_consequence(const Choice& choice) {
     const RatePoint* point = choice.series->find(choice.protocol, choice.percent);
     const Range* cost = point != nullptr ? point->find("relative_cost") : nullptr;
     if (cost != nullptr) {
-        phrases.push_back(fmt::format("costs {} as much as the full one",
-                                      strong(times(*cost, point->seed_count))));
+        phrases.push_back(fmt::format("costs {}{} as much as the full one", strong(times(*cost, 1)),
+                                      spread(*cost, point->seed_count)));
     } else if (choice.relative_cost) {
         phrases.push_back(fmt::format("costs {} as much as the full one",
                                       strong(format_ratio(*choice.relative_cost) + " times")));

@@ -13,7 +13,9 @@ enum class ErrorCode {
     io,                ///< a file could not be opened, read, written or renamed
     parse,             ///< a file's contents break its format
     unsupported,       ///< a legal input that this library cannot work on
-    limit,             ///< a documented limit would be passed (counts, memory)
+    limit,             ///< a documented limit would be passed (counts, a limit on memory)
+    cancelled,         ///< the work was given up because a stop was requested
+    out_of_memory,     ///< the system has no more memory to give
 };
 
 /// The stable lower-case name of a code, e.g. "parse".

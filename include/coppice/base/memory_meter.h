@@ -78,4 +78,8 @@ private:
     std::uint64_t bytes_ = 0;
 };
 
+/// The most memory that this process has held so far, as the system counts it (the "VmHWM" of
+/// Linux); 0 where the system does not tell.
+[[nodiscard]] std::uint64_t process_peak_bytes() noexcept;
+
 }  // namespace coppice

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <stop_token>
 
 namespace coppice {
 
@@ -11,8 +12,16 @@ namespace coppice {
 [[nodiscard]] int hardware_thread_count() noexcept;
 
 /// Runs `work` with at most `thread_count` threads for everything parallel inside it
-/// (0 = all hardware threads). Exceptions of `work` reach the caller.
-void run_with_threads(int thread_count, const std::function<void()>& work);
+/// (0 = all hardware threads). Exceptions of `work` reach the caller. Once a stop is requested, no
+/// task inside begins any more, those that run end at their next throw_if_stopped(), and
+/// Error(cancelled) is thrown.
+void run_with_threads(int thread_count, const std::function<void()>& work,
+                      const std::stop_token& stop = {});
+
+/// Throws Error(cancelled) if the parallel work that this is part of is being given up, because a
+/// stop was requested or another task of it threw; takes a few nanoseconds. All functions below do
+/// so when they are done: who gets past them has all of the result.
+void throw_if_stopped();
 
 /// Runs both tasks, possibly at the same time, and returns when both are done.
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second);

@@ -50,6 +50,8 @@ struct Estimate {
 struct BuildReport {
     BuildOptions options;
     std::string method;  ///< the name in method_registry(), if it was built by name
+    WidePreset preset = WidePreset::automatic;  ///< that a wide tree was built by
+    std::string preset_reason;  ///< why it is a smaller one than `automatic` had chosen, or nothing
     std::uint32_t primitive_count = 0;
     std::uint32_t sample_count = 0;
     StageReports stages;

@@ -2,6 +2,7 @@
 
 #include "coppice/base/memory_meter.h"
 #include "coppice/build/build_options.h"
+#include "coppice/build/progress.h"
 #include "coppice/geom/primitive_set.h"
 #include "coppice/tree/kd_tree.h"
 
@@ -13,6 +14,7 @@ namespace coppice {
 /// Throws Error(limit) if there would be more than 2^32 - 1 references.
 /// Source: [Tsiompikas2022] sec. 4.3.3.
 [[nodiscard]] KdTree refill(Skeleton&& skeleton, PrimitiveSetView primitives,
-                            const BuildOptions& options, MemoryMeter* meter = nullptr);
+                            const BuildOptions& options, MemoryMeter* meter = nullptr,
+                            Progress* progress = nullptr);
 
 }  // namespace coppice

@@ -14,7 +14,8 @@ class PointCloudView {
 public:
     PointCloudView() = default;
 
-    explicit PointCloudView(std::span<const Vec3f> points) noexcept : points_(points) {}
+    /// Throws Error(limit) for 2^32 points or more: ids have 32 bits.
+    explicit PointCloudView(std::span<const Vec3f> points);
 
     [[nodiscard]] std::span<const Vec3f> points() const noexcept { return points_; }
 

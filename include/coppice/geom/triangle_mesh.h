@@ -19,9 +19,8 @@ class TriangleMeshView {
 public:
     TriangleMeshView() = default;
 
-    TriangleMeshView(std::span<const Vec3f> vertices,
-                     std::span<const TriangleIndices> triangles) noexcept
-        : vertices_(vertices), triangles_(triangles) {}
+    /// Throws Error(limit) for 2^32 triangles or more: ids have 32 bits.
+    TriangleMeshView(std::span<const Vec3f> vertices, std::span<const TriangleIndices> triangles);
 
     [[nodiscard]] std::span<const Vec3f> vertices() const noexcept { return vertices_; }
 
@@ -58,7 +57,7 @@ struct TriangleMesh {
     std::vector<Vec3f> vertices;
     std::vector<TriangleIndices> triangles;
 
-    [[nodiscard]] TriangleMeshView view() const noexcept { return {vertices, triangles}; }
+    [[nodiscard]] TriangleMeshView view() const { return {vertices, triangles}; }
 };
 
 /// The box of the given points; empty for none.

@@ -56,17 +56,18 @@ void to_json(nlohmann::json& json, const Oddity& oddity);
 void to_json(nlohmann::json& json, const LoadReport& report);
 
 /// Reads a triangle mesh: .obj, .ply, both also gzipped (.obj.gz, .ply.gz),
-/// .off, and through Assimp .stl, .gltf, .glb, .dae, .x3d, .3ds, .fbx and others by file name.
+/// .off (a file whose name has no extension is taken for what it begins like of these), and
+/// through Assimp .stl, .gltf, .glb, .dae, .x3d, .3ds, .fbx and others by file name.
 /// Polygons are cut into fans; all scene transforms are applied. A PLY file without faces is a
 /// point cloud and gives a mesh with no triangles. Vertices keep their order and are not merged
 /// (OBJ, PLY). Coordinates become the nearest floats.
 /// If `report` is given it receives counts of all that was odd. If `attributes` is given it
 /// receives materials (OBJ with its MTL files, Assimp) and normals (OBJ, PLY, Assimp); what of them
 /// is missing or malformed becomes a warning there. Otherwise both are passed over. Throws Error
-/// (io, parse, unsupported, limit) naming the file, and the 1-based line for text in OBJ, PLY and
-/// OFF files (the first line of a statement that goes on over several): missing or empty file,
-/// directory, device, unknown extension, malformed or out-of-range indices, NaN or infinite
-/// coordinates or such beyond the range of float, no faces, truncated data.
+/// (io, parse, unsupported, limit, out_of_memory) naming the file, and the 1-based line for text in
+/// OBJ, PLY and OFF files (the first line of a statement that goes on over several): missing or
+/// empty file, directory, device, unknown extension, malformed or out-of-range indices, NaN or
+/// infinite coordinates or such beyond the range of float, no faces, truncated data.
 [[nodiscard]] TriangleMesh load_mesh(const std::filesystem::path& file,
                                      LoadReport* report = nullptr,
                                      MeshAttributes* attributes = nullptr);

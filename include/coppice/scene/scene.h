@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/build/build_control.h"
 #include "coppice/build/build_options.h"
 #include "coppice/build/build_report.h"
 #include "coppice/geom/ray.h"
@@ -21,7 +22,8 @@ namespace coppice {
 class Scene {
 public:
     /// Takes over the mesh and builds its tree. Throws Error like build_wide_bvh().
-    explicit Scene(TriangleMesh mesh, const BuildOptions& options = {});
+    explicit Scene(TriangleMesh mesh, const BuildOptions& options = {},
+                   const BuildControl& control = {});
 
     /// The closest hit, or nothing.
     [[nodiscard]] std::optional<Hit> intersect(const Ray& ray) const noexcept;

@@ -3,6 +3,8 @@
 
 #include "build/exact/classify.h"
 
+#include "build/stop_look.h"
+
 #include <span>
 
 namespace coppice {
@@ -40,7 +42,9 @@ Classification classify(const ExactNode& node, Plane plane, PlanarSide planar_si
     sides.above.resize(limits.above);
     const PartitionOutput begin{sides.below.data(), sides.above.data()};
     PartitionOutput end = begin;
+    StopLook look;
     for (std::size_t slot = 0; slot < count; ++slot) {
+        look.at(slot);
         const Fragment& fragment = node.fragments[slot];
         const PartitionOutput before = end;
         end = divide(std::span(&fragment, 1), plane, planar_side, division, end);

@@ -6,6 +6,8 @@
 
 #include "build/exact/exact_builder.h"
 
+#include "coppice/base/parallel.h"
+
 #include "build/exact/classify.h"
 #include "build/exact/splice.h"
 #include "build/exact/sweep.h"
@@ -16,19 +18,34 @@
 namespace coppice {
 
 ExactBuilder::ExactBuilder(PrimitiveSetView primitives, const BuildOptions& options,
-                           const StopRule& stop, MemoryMeter* meter)
+                           const StopRule& stop, MemoryMeter* meter, Progress* progress)
     : division_{primitives, options.split.clipping, meter},
       cost_(options.cost),
       stop_(stop),
+      progress_(progress),
       small_(primitives, options, stop, meter) {}
 
 TreePart ExactBuilder::build(std::vector<Fragment> fragments, const NodeState& node) const {
-    return build_node(make_exact_node(std::move(fragments)), node);
+    ExactNode root = make_exact_node(std::move(fragments));
+    NodeState state = node;
+    if (node.share > 0.0) {
+        constexpr double share_of_sorting = 0.12;
+        progress_->add(share_of_sorting * node.share);
+        state.share = (1.0 - share_of_sorting) * node.share;
+    }
+    return build_node(std::move(root), state);
 }
 
 TreePart ExactBuilder::build_node(ExactNode node, NodeState state) const {
-    MeteredBytes bytes(division_.meter, node.capacity_bytes());
     const std::size_t count = node.fragments.size();
+    if (count < parallel_fragment_count && state.share > 0.0) {
+        const double share = std::exchange(state.share, 0.0);  // told of at once
+        TreePart part = build_node(std::move(node), state);
+        progress_->add(share);
+        return part;
+    }
+    throw_if_stopped();
+    MeteredBytes bytes(division_.meter, node.capacity_bytes());
     if (count <= small_node_size) return small_.build(std::move(node.fragments), state);
     const double weight = weight_of(node.fragments);
     const double leaf_cost = cost_.leaf_cost(weight);
@@ -37,6 +54,7 @@ TreePart ExactBuilder::build_node(ExactNode node, NodeState state) const {
     if (!split || !stop_.accepts(split->cost, leaf_cost, state)) {
         Subtree leaf;
         make_leaf(leaf, 0, node.fragments);
+        if (state.share > 0.0) progress_->add(state.share);
         return TreePart(std::move(leaf), division_.meter);
     }
     const Plane plane = split->plane;
@@ -51,20 +69,22 @@ TreePart ExactBuilder::build_node(ExactNode node, NodeState state) const {
     MeteredBytes below_bytes(division_.meter, children.below.capacity_bytes());
     MeteredBytes above_bytes(division_.meter, children.above.capacity_bytes());
     bytes.release();
-    const double more =
-        static_cast<double>(children.below.fragments.size() + children.above.fragments.size()) /
-        static_cast<double>(count);
+    const std::size_t below_count = children.below.fragments.size();
+    const std::size_t above_count = children.above.fragments.size();
+    const double more = static_cast<double>(below_count + above_count) / static_cast<double>(count);
+    const NodeShares shares = divide_share(state.share, count, below_count, above_count);
+    if (shares.own > 0.0) progress_->add(shares.own);
     return build_both(
         plane, split->planar_side, count,
         [&] {
             below_bytes.release();  // the child counts its own
             return build_node(std::move(children.below),
-                              state.child(below(state.box, plane), more));
+                              state.child(below(state.box, plane), more, shares.below));
         },
         [&] {
             above_bytes.release();
             return build_node(std::move(children.above),
-                              state.child(above(state.box, plane), more));
+                              state.child(above(state.box, plane), more, shares.above));
         });
 }
 

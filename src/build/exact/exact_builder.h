@@ -17,7 +17,7 @@ class ExactBuilder {
 public:
     /// options.split.rule must be "exact".
     ExactBuilder(PrimitiveSetView primitives, const BuildOptions& options, const StopRule& stop,
-                 MemoryMeter* meter = nullptr);
+                 MemoryMeter* meter = nullptr, Progress* progress = nullptr);
 
     /// The subtree of a node with these fragments. Throws Error(limit) for 2^30 of them or more.
     [[nodiscard]] TreePart build(std::vector<Fragment> fragments, const NodeState& node) const;
@@ -28,6 +28,7 @@ private:
     Division division_;
     SahCostModel cost_;
     StopRule stop_;
+    Progress* progress_;
     KdBuilder small_;  // for nodes where vectors are faster than lists
 };
 

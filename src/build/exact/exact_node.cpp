@@ -3,6 +3,8 @@
 #include "coppice/base/error.h"
 #include "coppice/base/parallel.h"
 
+#include "build/stop_look.h"
+
 #include <fmt/format.h>
 
 namespace coppice {
@@ -28,7 +30,9 @@ ExactNode make_exact_node(std::vector<Fragment> fragments) {
     for_each_axis(node.fragments.size(), [&](Axis axis) {
         EventList& events = node.events[static_cast<std::size_t>(axis)];
         events.reserve(2 * node.fragments.size());
+        StopLook look;
         for (std::uint32_t slot = 0; slot < node.fragments.size(); ++slot) {
+            look.at(slot);
             add_events(node.fragments[slot], slot, axis, events);
         }
         parallel_sort(events);

@@ -5,8 +5,11 @@
 
 #include "build/exact/splice.h"
 
+#include "build/stop_look.h"
+
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
 namespace coppice {
@@ -18,7 +21,11 @@ std::array<EventList, 2> divide_events(EventList events, std::size_t above_count
                                        const std::vector<std::uint32_t>& moved_to) {
     std::array<EventList, 2> sides{std::move(events), EventList(2 * above_count)};
     std::array<EventKey*, 2> ends{sides[0].data(), sides[1].data()};
-    for (const EventKey event : sides[0]) {
+    StopLook look;
+    const std::span<const EventKey> all = sides[0];
+    for (std::size_t at = 0; at < all.size(); ++at) {
+        look.at(at);
+        const EventKey event = all[at];
         const std::uint32_t target = moved_to[slot_of(event)];
         if (target == Classification::moved_anew) continue;
         const std::size_t side = target >> 31;

@@ -5,6 +5,7 @@
 
 #include "build/split/best_split.h"
 #include "build/split/evaluate_plane.h"
+#include "build/stop_look.h"
 
 #include <array>
 
@@ -16,7 +17,9 @@ BestSplit sweep_axis_events(const EventList& events, const PlaneEvaluator& evalu
                             WeightOf&& weight_of) {
     BestSplit best;
     SplitCounts counts{0.0, weight, 0.0};
+    StopLook look;
     for (std::size_t i = 0; i < events.size();) {
+        look.at(i);
         const float position = position_of(events[i]);
         std::array<double, 3> passed{};  // by kind
         for (; i < events.size() && position_of(events[i]) == position; ++i) {

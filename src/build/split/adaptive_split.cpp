@@ -7,6 +7,8 @@
 
 #include "build/split/adaptive_split.h"
 
+#include "coppice/base/parallel.h"
+
 #include "build/split/evaluate_plane.h"
 #include "build/split/small_node.h"
 
@@ -109,6 +111,7 @@ std::optional<Split> AdaptiveSplit::find(const SplitQuery& query) const {
     const double weight = weight_of(query.fragments);
     Best best;
     for (const Axis axis : all_axes) {
+        throw_if_stopped();
         const Positions even = even_positions(query.box, axis);
         const Counts even_counts = count_at(even, query.fragments, axis);
         best.offer(query, axis, even, even_counts);

@@ -6,6 +6,7 @@
 #include "coppice/base/parallel.h"
 
 #include "build/split/sort_key.h"
+#include "build/stop_look.h"
 
 #include <algorithm>
 #include <span>
@@ -61,7 +62,9 @@ void sweep_events(AxisEvents& events, const PlaneEvaluator& evaluator, SplitCoun
     EventCursor starts(events.starts);
     EventCursor ends(events.ends);
     EventCursor planars(events.planars);
-    for (;;) {
+    StopLook look;
+    for (std::size_t step = 0;; ++step) {
+        look.at(step);
         const float position = std::min({starts.next(), ends.next(), planars.next()});
         if (position == Aabb::infinity) return;
         // At the plane: what ends here is below it, what starts here is above.

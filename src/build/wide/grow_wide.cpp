@@ -11,6 +11,7 @@
 #include "coppice/base/parallel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace coppice::wide {
@@ -47,8 +48,12 @@ struct Item {
 class Grower {
 public:
     Grower(const Top& top, std::span<const Range> cells, const Splitter& splitter,
-           std::span<std::uint32_t> ids)
-        : top_(top), splitter_(splitter), ids_(ids), ranges_(top.nodes.size()) {
+           std::span<std::uint32_t> ids, Progress* progress)
+        : top_(top),
+          splitter_(splitter),
+          ids_(ids),
+          ranges_(top.nodes.size()),
+          progress_(progress) {
         for (std::size_t node = top.nodes.size(); node-- > 0;) {
             ranges_[node] = range_of(top.nodes[node], cells);
         }
@@ -57,7 +62,7 @@ public:
     [[nodiscard]] GrownTree grow() && {
         GrownTree grown;
         grown.bounds = to_aabb(ranges_[0].box);
-        grow_node(grown.root, make_item(0), 0);
+        grow_node(grown.root, make_item(0), 0, progress_ != nullptr ? 1.0 : 0.0);
         return grown;
     }
 
@@ -151,7 +156,8 @@ private:
         return WideChild::make_leaf(first, count);
     }
 
-    std::uint32_t grow_node(Part& part, const Item& item, int depth) {
+    // `share`: of the stage's work, if anybody asks.
+    std::uint32_t grow_node(Part& part, const Item& item, int depth, double share = 0.0) {
         const auto index = static_cast<std::uint32_t>(part.nodes.size());
         part.nodes.push_back(make_empty_wide_node());
         const Children children = open_all(item, depth);
@@ -169,13 +175,28 @@ private:
                 part.nodes[index].child[slot] = WideChild::make_inner(node);
             }
         }
-        if (!tasks.empty()) grow_parts(part, index, tasks, depth + 1);
+        double share_per_work = 0.0;
+        if (share > 0.0) {
+            double work_of_tasks = 0.0;
+            for (const auto& [slot, child] : tasks) {
+                work_of_tasks += work_of(child->range.size());
+            }
+            share_per_work = share / std::max(work_of(item.range.size()), work_of_tasks);
+            progress_->add(share - share_per_work * work_of_tasks);
+        }
+        if (!tasks.empty()) grow_parts(part, index, tasks, depth + 1, share_per_work);
         return index;
+    }
+
+    // Passes over references, of which there is one for each binary split above the leaves.
+    static double work_of(std::uint32_t size) {
+        return size * std::log2(std::max(size, block_size) / (0.5 * block_size));
     }
 
     // Large children at the same time, the largest first.
     void grow_parts(Part& part, std::uint32_t node,
-                    std::vector<std::pair<std::size_t, const Item*>>& tasks, int depth) {
+                    std::vector<std::pair<std::size_t, const Item*>>& tasks, int depth,
+                    double share_per_work) {
         std::stable_sort(tasks.begin(), tasks.end(), [](const auto& a, const auto& b) {
             return a.second->range.size() > b.second->range.size();
         });
@@ -185,7 +206,10 @@ private:
                 {node, static_cast<std::uint32_t>(slot), std::make_unique<Part>()});
         }
         parallel_for_chunks(tasks.size(), 1, [&](std::size_t task, std::size_t /*end*/) {
-            grow_node(*part.links[first + task].part, *tasks[task].second, depth);
+            throw_if_stopped();
+            const Item& item = *tasks[task].second;
+            grow_node(*part.links[first + task].part, item, depth,
+                      share_per_work * work_of(item.range.size()));
         });
     }
 
@@ -193,6 +217,7 @@ private:
     const Splitter& splitter_;
     std::span<std::uint32_t> ids_;
     std::vector<Range> ranges_;  // of the top's nodes
+    Progress* progress_;
 };
 
 }  // namespace
@@ -207,14 +232,14 @@ std::uint64_t byte_count(const Part& part) noexcept {
     return bytes;
 }
 
-GrownTree grow_wide(const Cells& cells, const Kernels& kernels) {
+GrownTree grow_wide(const Cells& cells, const Kernels& kernels, Progress* progress) {
     Box8 bounds = Box8::make_empty();
     for (const Range& range : cells.ranges) {
         bounds.grow(range.box);
     }
     const SplitCosts costs{static_cast<float>(block_size), true, extent_factor_of(bounds)};
     const Splitter splitter(cells.arena.first(), cells.arena.second(), costs, kernels);
-    return Grower(cells.top, cells.ranges, splitter, cells.arena.ids()).grow();
+    return Grower(cells.top, cells.ranges, splitter, cells.arena.ids(), progress).grow();
 }
 
 }  // namespace coppice::wide

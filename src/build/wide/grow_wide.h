@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/build/progress.h"
 #include "coppice/geom/triangle_mesh.h"
 #include "coppice/tree/wide_bvh.h"
 
@@ -50,7 +51,8 @@ struct GrownTree {
 /// Builds the wide tree over cells that hang in a top: the top is collapsed into nodes of eight,
 /// and every cell is built on by binned object splits. The arena receives the leaves' ids.
 /// Source: [Wald2007], [Tessari2023].
-[[nodiscard]] GrownTree grow_wide(const Cells& cells, const Kernels& kernels);
+[[nodiscard]] GrownTree grow_wide(const Cells& cells, const Kernels& kernels,
+                                  Progress* progress = nullptr);
 
 /// Puts the parts together in depth-first order and copies the triangles' corners into blocks. The
 /// tree takes the place of the references in the arena. Throws Error(limit) if there are more nodes

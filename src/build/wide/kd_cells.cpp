@@ -7,10 +7,24 @@
 #include "coppice/base/parallel.h"
 
 #include "build/horizon.h"
+#include "build/subtree.h"
 #include "build/wide/make_references.h"
 #include "build/wide/top.h"
 
 namespace coppice::wide {
+
+std::vector<Range> make_ranges(std::span<const std::size_t> sizes) {
+    std::vector<Range> ranges;
+    std::uint64_t count = 0;
+    for (const std::size_t size : sizes) {
+        const std::uint64_t begin = count;
+        require_possible(0, count += size);
+        ranges.push_back({.begin = static_cast<std::uint32_t>(begin),
+                          .end = static_cast<std::uint32_t>(count),
+                          .buffer = 0});
+    }
+    return ranges;
+}
 
 Cells make_cells(const Skeleton& skeleton, TriangleMeshView mesh, MemoryMeter& meter) {
     constexpr int all_levels = 64;
@@ -18,15 +32,13 @@ Cells make_cells(const Skeleton& skeleton, TriangleMeshView mesh, MemoryMeter& m
                           [](std::uint32_t) { return false; });
     auto of_cells = horizon.distribute(whole_fragments(mesh), {mesh, Clipping::perfect, &meter});
     std::vector<MeteredBytes> bytes;
-    std::vector<Range> ranges;
-    std::uint32_t count = 0;
+    std::vector<std::size_t> sizes;
     for (const std::vector<Fragment>& fragments : of_cells) {
-        const auto end = count + static_cast<std::uint32_t>(fragments.size());
-        ranges.push_back({.begin = count, .end = end, .buffer = 0});
         bytes.emplace_back(&meter, fragments);
-        count = end;
+        sizes.push_back(fragments.size());
     }
-    Cells made{{}, Arena(count, meter), std::move(ranges)};
+    std::vector<Range> ranges = make_ranges(sizes);
+    Cells made{{}, Arena(ranges.empty() ? 0 : ranges.back().end, meter), std::move(ranges)};
     made.top.nodes.clear();
     for (const Horizon::Node& node : horizon.nodes()) {
         const bool is_cell = node.lower == Horizon::Node::is_cell;

@@ -20,13 +20,14 @@ WidePreset choose_preset(const WideOptions& options, std::uint32_t triangle_coun
 }  // namespace
 
 Plan make_plan(const BuildOptions& options, std::uint32_t triangle_count) {
-    Plan plan{false, 4096, options.sample};
+    const WidePreset preset = choose_preset(options.wide, triangle_count);
+    Plan plan{preset, false, 4096, options.sample};
     const bool is_automatic = options.wide.preset == WidePreset::automatic;
     if (is_automatic && plan.sampling.rate == 1.0) {
         plan.sampling.rate = 0.01;
         plan.sampling.sampler = "weighted";
     }
-    switch (choose_preset(options.wide, triangle_count)) {
+    switch (preset) {
         case WidePreset::automatic:
         case WidePreset::fast:
             break;

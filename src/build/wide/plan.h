@@ -8,6 +8,7 @@ namespace coppice::wide {
 
 /// What the options come to for a scene of a certain size.
 struct Plan {
+    WidePreset preset;        ///< the one chosen
     bool by_planes;           ///< cells by a k-d tree, else by object splits
     std::uint32_t cell_size;  ///< triangles a cell is to hold
     SampleOptions sampling;   ///< rate 1: the scene is not sampled

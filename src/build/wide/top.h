@@ -48,6 +48,10 @@ struct Cells {
     std::vector<Range> ranges;  ///< of each cell, in one of the arena's buffers
 };
 
+/// Ranges of those sizes, one behind the other in buffer 0. Throws Error(limit) if they pass 2^32
+/// references together.
+[[nodiscard]] std::vector<Range> make_ranges(std::span<const std::size_t> sizes);
+
 /// The leaves of a k-d tree as cells, the boxes of all triangles clipped to them. Ranges have no
 /// boxes yet.
 [[nodiscard]] Cells make_cells(const Skeleton& skeleton, TriangleMeshView mesh, MemoryMeter& meter);

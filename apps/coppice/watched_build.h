@@ -1,0 +1,21 @@
+#pragma once
+
+#include "coppice/build/build_control.h"
+#include "coppice/build/build_report.h"
+
+#include "lab/progress_line.h"
+
+#include <functional>
+#include <string>
+
+namespace coppice::app {
+
+/// Runs a build, or more of them: the progress line shows `what` and how far it is, Ctrl-C and
+/// SIGTERM stop it. Throws Interrupted then.
+void watch_build(lab::ProgressLine& progress, const std::string& what, const BuildControl& limits,
+                 const std::function<void(const BuildControl&)>& build);
+
+/// Says on standard error that a memory limit led to another preset, if it did.
+void note_preset(const BuildReport& report);
+
+}  // namespace coppice::app

@@ -1,0 +1,74 @@
+# Limits on memory: that of --memory-limit, told before the build; that of the system, an error.
+source "$(dirname "$0")/lib.bash"
+
+coppice generate spheres --triangles 30000 -o balls.ply >/dev/null
+
+refused() { # refused PATTERN CMD...
+    expect_exit 1 "${@:2}"
+    expect_stdout_empty
+    expect_stderr_one_line
+    expect_stderr "$1"
+    expect_no_file a.cpk a.png
+}
+size='[0-9.]+ (KiB|MiB)'
+for method in sampled quality; do
+    refused "^coppice: (the build|quality) would take about $size of memory beside the $size of its primitives; the limit is 2.00 MiB$" \
+        coppice build balls.ply --method $method --memory-limit 2M -o a.cpk
+done
+refused '^coppice: even fast would take about ' coppice build balls.ply --memory-limit 1000kb
+refused '^coppice: even fast would take about ' coppice trace balls.ply --memory-limit 1mib
+refused '^coppice: even fast would take about ' \
+    coppice render balls.ply -o a.png --memory-limit 0.001g
+
+# `auto` takes less if it must, and says so; what it took is within the limit.
+peak() { # peak ARG...: scene and build together
+    python3 -c '
+import json, sys
+scene = json.load(sys.stdin)["scenes"][0]
+report = scene["report"]
+print(report["preset"], scene["scene_bytes"] + report["peak_bytes"])' <<<"$stdout"
+}
+expect_exit 0 coppice build balls.ply --json --memory-limit 1T
+expect_stderr_empty
+read -r preset bytes <<<"$(peak)"
+expect_equal "$preset" quality
+expect_exit 0 coppice build balls.ply --json --memory-limit $((bytes * 9 / 10))
+expect_stderr_one_line
+expect_stderr "^coppice: note: quality would take about $size of memory beside .*: fast is taken instead$"
+read -r preset less <<<"$(peak)"
+expect_equal "$preset" fast
+((less <= bytes * 9 / 10)) || fail "$less bytes"
+expect_exit 0 coppice render balls.ply -o a.png --size 40x30 --spp 1 --memory-limit $((bytes * 9 / 10))
+expect_stderr ' fast is taken instead$'
+
+for wrong in 0 -1 x 1X '' 0.1 nan inf 1e30; do
+    expect_exit 2 coppice build balls.ply --memory-limit="$wrong"
+    expect_stderr_one_line
+    [[ -z $wrong ]] || expect_stderr \
+        "^coppice: --memory-limit: '$wrong' is not a size of at least 1 byte; example: --memory-limit 2G$"
+done
+expect_exit 2 coppice trace balls.ply --tree a.cpk --memory-limit 1G
+expect_stderr '^coppice: --memory-limit: the tree of --tree is built already'
+
+# What the program counts is what the system counts, but for the program itself.
+coppice generate terrain --triangles 400000 -o large.ply >/dev/null
+expect_exit 0 coppice build large.ply --method fast --sample 1% --json
+expect_equal "$(python3 -c '
+import json, sys
+scene = json.load(sys.stdin)["scenes"][0]
+counted = scene["scene_bytes"] + scene["report"]["peak_bytes"]
+held = scene["process_peak_bytes"]
+print(counted < held < 1.1 * counted + 25e6 or (counted, held))' <<<"$stdout")" True
+
+# Little memory is an error, not a crash. Sanitizers themselves take more than any of this.
+limits=({60000..360000..20000})
+if ldd "$COPPICE" | grep -q 'lib[at]san'; then limits=(); fi
+for kilobytes in "${limits[@]}"; do
+    for method in exact sampled auto; do
+        code=0
+        (ulimit -v "$kilobytes"; coppice build large.ply --method $method) >.stdout 2>.stderr || code=$?
+        ((code == 0 || code == 1 || code == 127)) ||
+            fail "exit code $code of $method with $kilobytes KiB: $(<.stderr)"
+        ((code != 1)) || grep -q '^coppice: .*\(memory\|cannot\)' .stderr || fail "$(<.stderr)"
+    done
+done

@@ -1,0 +1,182 @@
+// Memory that runs out: the n-th allocation of an operation fails, for n from the first to the
+// last. What comes of it is an error that a caller can catch, and nothing is leaked.
+
+#include "coppice/base/error.h"
+#include "coppice/build/build_tree.h"
+#include "coppice/build/estimate.h"
+#include "coppice/build/method.h"
+#include "coppice/io/load_mesh.h"
+#include "coppice/io/save_mesh.h"
+#include "coppice/scene/scene.h"
+#include "coppice/store/tree_file.h"
+
+#include "io/test_files.h"
+#include "support/meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <new>
+
+namespace coppice::test {
+namespace {
+
+/// What operator new counts, in all threads.
+struct Allocations {
+    static constexpr long never = std::numeric_limits<long>::max();
+    std::atomic<long> until_failure{never};
+    std::atomic<long> made{0};
+    std::atomic<long> alive{0};
+};
+
+constinit Allocations allocations;
+
+void* allocate(std::size_t size, std::size_t alignment) {
+    ++allocations.made;
+    if (allocations.until_failure.fetch_sub(1) == 0) throw std::bad_alloc();
+    const std::size_t padded = (std::max<std::size_t>(size, 1) + alignment - 1) / alignment;
+    void* const memory = std::aligned_alloc(alignment, padded * alignment);
+    if (memory == nullptr) throw std::bad_alloc();
+    ++allocations.alive;
+    return memory;
+}
+
+void release(void* memory) noexcept {
+    if (memory != nullptr) --allocations.alive;
+    std::free(memory);
+}
+
+/// Fails allocations of `work` one after the other, at most about `most` of them.
+void fail_each(const std::function<void()>& work, long most = 15) {
+    allocations.until_failure = Allocations::never;
+    work();  // what is made once and kept, by us or by others
+    const long before = allocations.made;
+    work();
+    const long count = allocations.made - before;
+    ASSERT_GT(count, 0);
+    const long step = std::max(1L, count / most);
+    long tried = 0;
+    long failed = 0;
+    for (long n = 0; n < count; n += step, ++tried) {
+        const long alive = allocations.alive;
+        allocations.until_failure = n;
+        try {
+            work();
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::out_of_memory) << error.what();
+            ++failed;
+        } catch (const std::bad_alloc&) {
+            ++failed;
+        }
+        allocations.until_failure = Allocations::never;
+        EXPECT_EQ(allocations.alive, alive) << "after failure " << n << " of " << count;
+    }
+    // Some can do without (std::stable_sort), and two threads do not always come to the same
+    // number.
+    EXPECT_GT(2 * failed, tried);
+}
+
+class FailingBuild : public testing::TestWithParam<Method> {};
+
+TEST_P(FailingBuild, IsAnError) {
+    const TriangleMesh mesh = make_soup(3000, 0.05F, 1);
+    const Method& method = GetParam();
+    BuildOptions options = method.options();
+    options.wide.sampled_from = 0;
+    options.wide.cell_size = 256;
+    for (const int threads : {1, 2}) {
+        options.threads = threads;
+        fail_each([&] {
+            BuildReport report;
+            if (method.tree == TreeKind::kd) {
+                static_cast<void>(build_kd_tree(mesh.view(), options, &report));
+            } else {
+                static_cast<void>(build_wide_bvh(mesh.view(), options, &report));
+            }
+        });
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Method, FailingBuild,
+                         testing::ValuesIn(method_registry().begin(), method_registry().end()),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+TEST(FailingAllocation, OfAnEstimateIsAnError) {
+    const TriangleMesh mesh = make_soup(20'000, 0.05F, 1);
+    fail_each([&] { static_cast<void>(estimate_kd_tree(mesh.view(), {})); }, 8);
+}
+
+TEST(FailingAllocation, OfLoadingIsAnError) {
+    const std::filesystem::path data = COPPICE_TEST_DATA_DIR;
+    for (const char* name :
+         {"bunny.obj", "tetrahedron.obj", "tetrahedron.ply", "tetrahedron.off"}) {
+        SCOPED_TRACE(name);
+        fail_each([&] {
+            LoadReport report;
+            static_cast<void>(load_mesh(data / name, &report));
+        });
+    }
+}
+
+TEST(FailingAllocation, OfTracingAndSearchingIsAnError) {
+    const Scene scene(make_soup(3000, 0.05F, 1));
+    const std::vector<Ray> rays(5000, Ray{.origin = {0.5F, 0.5F, -1.0F}, .direction = {0, 0, 1}});
+    std::vector<Hit> hits(rays.size());
+    fail_each([&] {
+        const Scene copy(scene.mesh());
+        copy.intersect(rays, hits, 2);
+        static_cast<void>(copy.nearest({0.1F, 0.2F, 0.3F}));
+    });
+}
+
+TEST(FailingAllocation, OfSavingAndLoadingATreeIsAnErrorAndLeavesNoFile) {
+    const TriangleMesh mesh = make_soup(500, 0.1F, 1);
+    const Fingerprint primitives = fingerprint_of(mesh.view());
+    const std::filesystem::path folder = fresh_folder();
+    const WideBvh wide = build_wide_bvh(mesh.view(), {});
+    const KdTree kd = build_kd_tree(mesh.view(), {});
+    fail_each([&] {
+        save_tree(folder / "wide.cpk", wide, primitives);
+        save_tree(folder / "kd.cpk", kd, primitives);
+        static_cast<void>(load_tree(folder / "wide.cpk", primitives));
+        static_cast<void>(load_tree(folder / "kd.cpk"));
+        save_mesh(mesh.view(), folder / "mesh.ply");
+    });
+    std::vector<std::string> left;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        left.push_back(entry.path().filename().string());
+    }
+    std::sort(left.begin(), left.end());
+    EXPECT_EQ(left, (std::vector<std::string>{"kd.cpk", "mesh.ply", "wide.cpk"}));
+    std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace coppice::test
+
+void* operator new(std::size_t size) {
+    return coppice::test::allocate(size, alignof(std::max_align_t));
+}
+
+void* operator new(std::size_t size, std::align_val_t alignment) {
+    return coppice::test::allocate(size, static_cast<std::size_t>(alignment));
+}
+
+void operator delete(void* memory) noexcept {
+    coppice::test::release(memory);
+}
+
+void operator delete(void* memory, std::size_t /*size*/) noexcept {
+    coppice::test::release(memory);
+}
+
+void operator delete(void* memory, std::align_val_t /*alignment*/) noexcept {
+    coppice::test::release(memory);
+}
+
+void operator delete(void* memory, std::size_t /*size*/, std::align_val_t /*alignment*/) noexcept {
+    coppice::test::release(memory);
+}
