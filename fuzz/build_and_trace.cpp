@@ -16,6 +16,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -96,9 +97,10 @@ void expect_refusal(Build&& build, std::uint32_t id) {
         static_cast<void>(build());
     } catch (const Error& error) {
         const std::string what = "primitive " + std::to_string(id) + " has no finite box";
-        return expect(error.what() == what, "the first triangle that is not finite, by name");
+        if (error.what() == what) return;
+        std::fprintf(stderr, "found: %s\n", error.what());
     }
-    expect(false, "triangles that are not finite to be refused");
+    expect(false, "the first triangle that is not finite to be refused by name");
 }
 
 /// One traversal against brute force. `all(ray, hits, after)`, `closest`, `any` and `count` as in

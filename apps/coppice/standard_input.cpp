@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdio>
+#include <cstdlib>
 #include <cstring>
-#include <memory>
+#include <filesystem>
 
 namespace coppice::app {
 
@@ -29,6 +29,27 @@ bool is_file(int descriptor) {
     if (fstat(descriptor, &status) != 0) fail("cannot read");
     return S_ISREG(status.st_mode);
 }
+
+/// A new file in the folder for temporary ones (TMPDIR) that has no name any more.
+class NamelessFile {
+public:
+    NamelessFile() : name_((std::filesystem::temp_directory_path() / "coppice-XXXXXX").string()) {
+        descriptor_ = mkstemp(name_.data());
+        if (descriptor_ < 0) fail("cannot make a temporary file");
+        unlink(name_.c_str());
+    }
+
+    NamelessFile(const NamelessFile&) = delete;
+    NamelessFile& operator=(const NamelessFile&) = delete;
+
+    ~NamelessFile() { close(descriptor_); }
+
+    [[nodiscard]] int descriptor() const noexcept { return descriptor_; }
+
+private:
+    std::string name_;
+    int descriptor_;
+};
 
 /// Copies what comes in; a piece that is not written whole is an error, as on a full disk.
 void copy_input(int to) {
@@ -56,10 +77,9 @@ void take_standard_input(std::vector<std::string>& scenes) {
     if (isatty(STDIN_FILENO) == 1) {
         throw file_error(ErrorCode::io, input_name, "is a terminal: no scene comes in");
     }
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> spool(std::tmpfile(), &std::fclose);
-    if (!spool) fail("cannot make a temporary file");
-    copy_input(fileno(spool.get()));
-    if (dup2(fileno(spool.get()), STDIN_FILENO) < 0) fail("cannot read a temporary file");
+    const NamelessFile spool;
+    copy_input(spool.descriptor());
+    if (dup2(spool.descriptor(), STDIN_FILENO) < 0) fail("cannot read a temporary file");
 }
 
 }  // namespace coppice::app

@@ -46,9 +46,10 @@ wide::Top build_top(std::span<const Reference> references, const Sample& sample,
 
 // Cells by centroids; without a sample one cell of everything.
 wide::Cells make_object_cells(TriangleMeshView mesh, const wide::Plan& plan, Run& run) {
-    wide::Cells cells{{}, wide::Arena(mesh.size(), run.meter), {}};
+    wide::Arena arena(mesh.size(), run.meter);
+    wide::Cells cells{{}, std::move(arena), {}};
     const std::span<Reference> references = cells.arena.first();
-    begin_stage(run.progress, 0.15);
+    begin_stage(run.progress, 0.2);
     wide::make_references(mesh, references);
     const std::uint32_t count = mesh.size();
     run.report.sample_count = sample_count(count, plan.sampling.rate);
@@ -63,7 +64,7 @@ wide::Cells make_object_cells(TriangleMeshView mesh, const wide::Plan& plan, Run
     begin_stage(run.progress, 0.01);
     cells.top = build_top(references, sample, plan.cell_size, run.kernels);
     run.report.stages.build = run.clock.lap(cells.top.nodes.size());
-    begin_stage(run.progress, 0.09);
+    begin_stage(run.progress, 0.07);
     cells.ranges = wide::fill_cells(cells.top, references, cells.arena.second());
     run.report.stages.refill = run.clock.lap(count);
     return cells;
@@ -71,7 +72,7 @@ wide::Cells make_object_cells(TriangleMeshView mesh, const wide::Plan& plan, Run
 
 // Cells by planes: the first stages of a k-d tree.
 wide::Cells make_kd_cells(TriangleMeshView mesh, const wide::Plan& plan, Run& run) {
-    begin_stage(run.progress, 0.15);
+    begin_stage(run.progress, 0.13);
     require_finite_boxes(mesh);
     const BuildOptions options{.sample = plan.sampling,
                                .split = {.rule = "binned",
@@ -86,7 +87,7 @@ wide::Cells make_kd_cells(TriangleMeshView mesh, const wide::Plan& plan, Run& ru
     begin_stage(run.progress, 0.5 * plan.sampling.rate);
     KdTree sampled = build_on_sample(mesh, sample, options, &run.meter, run.progress);
     run.report.stages.build = run.clock.lap(sampled.nodes().size());
-    begin_stage(run.progress, 0.2);
+    begin_stage(run.progress, 0.27);
     const Skeleton skeleton = empty_leaves(std::move(sampled));
     run.report.stages.empty = run.clock.lap(skeleton.nodes().size());
     wide::Cells cells = wide::make_cells(skeleton, mesh, run.meter);
@@ -101,11 +102,11 @@ WideBvh run_pipeline(TriangleMeshView mesh, const BuildOptions& options, BuildRe
     report.preset = plan.preset;
     wide::Cells cells =
         plan.by_planes ? make_kd_cells(mesh, plan, run) : make_object_cells(mesh, plan, run);
-    begin_stage(progress, plan.by_planes ? 0.4 : 0.55);
+    begin_stage(progress, plan.by_planes ? 0.46 : 0.6);
     wide::measure_cells(cells, run.kernels);
     wide::GrownTree grown = wide::grow_wide(cells, run.kernels, progress);
     const MeteredBytes part_bytes(&run.meter, byte_count(grown.root));
-    begin_stage(progress, 0.15);
+    begin_stage(progress, 0.06);
     WideBvh tree =
         wide::assemble(std::move(grown), std::move(cells.arena), mesh, run.kernels, run.meter);
     report.stages.refine = run.clock.lap(tree.blocks().size());

@@ -150,6 +150,15 @@ Aabb triangle_bounds(const Triangle& triangle) noexcept {
     return box;
 }
 
+Aabb triangle_bounds_or_nan(const Triangle& triangle) noexcept {
+    float sum = 0.0F;  // of nothing but zeros and NaN
+    for (const Vec3f& corner : triangle) {
+        sum += 0.0F * corner.x + 0.0F * corner.y + 0.0F * corner.z;
+    }
+    if (!std::isnan(sum)) return triangle_bounds(triangle);
+    return {{sum, sum, sum}, {sum, sum, sum}};
+}
+
 double triangle_area(const Triangle& triangle) noexcept {
     const Vec3d a = to_double(triangle[0]);
     const Vec3d normal = cross(to_double(triangle[1]) - a, to_double(triangle[2]) - a);

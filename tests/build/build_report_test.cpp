@@ -30,7 +30,7 @@ TEST(BuildReport, IsSerializedWithAllFields) {
     report.estimate = {1600.0, 8100.0, 70000.0, 7.5};
     report.statistics.node_count = 7;
     const nlohmann::json json = report;
-    EXPECT_EQ(json.size(), 9U);
+    EXPECT_EQ(json.size(), 11U);
     EXPECT_EQ(json.at("options"), nlohmann::json(report.options));
     EXPECT_EQ(json.at("method"), "sampled");
     EXPECT_EQ(json.at("primitive_count"), 1000);

@@ -14,6 +14,7 @@ expect_stdout '^sampled +1 +[0-9]'
 expect_equal "$(ls)" $'balls.ply\nhills.obj'
 
 # The JSON has the agreed keys; rows by scene, threads and contestant, in the order asked for.
+mkdir new
 expect_exit 0 coppice bench balls.ply hills.obj "${quick[@]}" --threads 2,1 --methods sweep,exact \
     --rays diffuse --eye 50,60,70 --look-at 0,0,0 --up=0,0,-1 --fov 60 --seed 3 --json new/b.json
 expect_stdout '^written: new/b.json$'

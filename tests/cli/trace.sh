@@ -1,6 +1,7 @@
 # coppice trace: rays of all kinds against one tree, counted and checked.
 source "$(dirname "$0")/lib.bash"
 
+mkdir new
 coppice generate spheres --triangles 1000 -o balls.ply >/dev/null
 coppice generate city --triangles 300 -o town.obj >/dev/null
 

@@ -1,6 +1,7 @@
 # coppice tune: a table, one sentence with the answer, a JSON file.
 source "$(dirname "$0")/lib.bash"
 
+mkdir new
 coppice generate spheres --triangles 500 -o balls.ply >/dev/null
 quick=(--size 16 --runs 1 --threads 1)
 

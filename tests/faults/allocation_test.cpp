@@ -24,7 +24,7 @@
 namespace coppice::test {
 namespace {
 
-/// What operator new counts, in all threads.
+/// What operator new and aligned_alloc (for BigBuffer) count, in all threads.
 struct Allocations {
     static constexpr long never = std::numeric_limits<long>::max();
     std::atomic<long> until_failure{never};
@@ -34,12 +34,14 @@ struct Allocations {
 
 constinit Allocations allocations;
 
-void* allocate(std::size_t size, std::size_t alignment) {
+bool is_to_fail() {
     ++allocations.made;
-    if (allocations.until_failure.fetch_sub(1) == 0) throw std::bad_alloc();
-    const std::size_t padded = (std::max<std::size_t>(size, 1) + alignment - 1) / alignment;
-    void* const memory = std::aligned_alloc(alignment, padded * alignment);
-    if (memory == nullptr) throw std::bad_alloc();
+    return allocations.until_failure.fetch_sub(1) == 0;
+}
+
+void* allocate(std::size_t size, std::size_t alignment) {
+    void* memory = nullptr;
+    if (is_to_fail() || posix_memalign(&memory, alignment, size) != 0) throw std::bad_alloc();
     ++allocations.alive;
     return memory;
 }
@@ -156,6 +158,13 @@ TEST(FailingAllocation, OfSavingAndLoadingATreeIsAnErrorAndLeavesNoFile) {
 
 }  // namespace
 }  // namespace coppice::test
+
+extern "C" void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
+    void* memory = nullptr;
+    const bool has_failed =
+        coppice::test::is_to_fail() || posix_memalign(&memory, alignment, size) != 0;
+    return has_failed ? nullptr : memory;
+}
 
 void* operator new(std::size_t size) {
     return coppice::test::allocate(size, alignof(std::max_align_t));

@@ -6,6 +6,7 @@
 #include "lab/experiment.h"
 #include "lab/lab_scenes.h"
 #include "lab/scene_outline.h"
+#include "lab/scene_picture.h"
 #include "lab/tree_cells.h"
 
 #include <gtest/gtest.h>
@@ -75,6 +76,31 @@ TEST(SceneOutline, IsTheMeshItselfOrPointsOnEqualAreas) {
               100);
     const TriangleMesh flat{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}};
     EXPECT_EQ(outline_of(flat, {.points = 2}).positions.size(), 2U);  // no area: vertices
+}
+
+// The twelve triangles of a box around the origin.
+TriangleMesh box_of(float half) {
+    TriangleMesh box;
+    for (int i = 0; i < 8; ++i) {
+        box.vertices.push_back({(i & 1) != 0 ? half : -half, (i & 2) != 0 ? half : -half,
+                                (i & 4) != 0 ? half : -half});
+    }
+    box.triangles = {{0, 1, 3}, {0, 3, 2}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                     {2, 3, 7}, {2, 7, 6}, {0, 2, 6}, {0, 6, 4}, {1, 3, 7}, {1, 7, 5}};
+    return box;
+}
+
+TEST(PictureCamera, StandsInsideARoomAndOutsideOfAllElse) {
+    const auto eye_of = [](const TriangleMesh& mesh) {
+        return picture_camera(mesh.view(), *picture_tracer(mesh.view(), 1)).eye;
+    };
+    TriangleMesh room = box_of(1.0F);
+    const Aabb inside = bounds_of(room.vertices);
+    EXPECT_TRUE(inside.contains(eye_of(room)));
+    room.triangles.erase(room.triangles.begin() + 6, room.triangles.begin() + 8);  // no ceiling
+    EXPECT_FALSE(inside.contains(eye_of(room)));
+    const TriangleMesh balls = make_procedural("spheres", 5000, 1);
+    EXPECT_FALSE(bounds_of(balls.vertices).contains(eye_of(balls)));
 }
 
 class Exhibits : public testing::Test {

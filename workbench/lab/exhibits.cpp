@@ -77,12 +77,11 @@ public:
           mesh_(load_mesh(scene.file, nullptr, &attributes_)) {}
 
     void make() {
-        camera_ = picture_camera(mesh_.vertices);
         const bool can_be_seen = !mesh_.triangles.empty();
         if (can_be_seen) {
-            exhibits_.picture_camera = render::camera_text(camera_);
-            exhibits_.picture = render_picture(picture_scene());
+            take_picture();
         } else {
+            camera_ = render::frame_points(mesh_.vertices, {}, 1.0);
             exhibits_.missing = "A point cloud has no surface to take a picture of.";
         }
         make_points();
@@ -103,6 +102,13 @@ public:
 private:
     [[nodiscard]] PictureScene picture_scene() const {
         return {mesh_.view(), &attributes_, camera_, options_.build.threads};
+    }
+
+    void take_picture() {
+        const auto tracer = picture_tracer(mesh_.view(), options_.build.threads);
+        camera_ = picture_camera(mesh_.view(), *tracer);
+        exhibits_.picture_camera = render::camera_text(camera_);
+        exhibits_.picture = render_picture(picture_scene(), *tracer);
     }
 
     void make_points() {

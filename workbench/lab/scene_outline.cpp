@@ -44,8 +44,22 @@ double total_area(TriangleMeshView mesh) {
     return area;
 }
 
-report::SceneOutline surface_points(TriangleMeshView mesh, double area, std::size_t count) {
+report::SceneOutline some_vertices(std::span<const Vec3f> vertices, std::size_t most) {
     report::SceneOutline outline;
+    const std::size_t count = std::min(vertices.size(), most);
+    for (std::size_t i = 0; i < count; ++i) {
+        outline.positions.push_back(vertices[i * vertices.size() / count]);
+    }
+    outline.shades.assign(count, 200);
+    return outline;
+}
+
+}  // namespace
+
+report::SceneOutline surface_points(TriangleMeshView mesh, std::size_t count) {
+    report::SceneOutline outline;
+    const double area = total_area(mesh);
+    if (!(area > 0.0)) return outline;
     outline.positions.reserve(count);
     outline.shades.reserve(count);
     const double step = area / static_cast<double>(count);
@@ -66,23 +80,10 @@ report::SceneOutline surface_points(TriangleMeshView mesh, double area, std::siz
     return outline;
 }
 
-report::SceneOutline some_vertices(std::span<const Vec3f> vertices, std::size_t most) {
-    report::SceneOutline outline;
-    const std::size_t count = std::min(vertices.size(), most);
-    for (std::size_t i = 0; i < count; ++i) {
-        outline.positions.push_back(vertices[i * vertices.size() / count]);
-    }
-    outline.shades.assign(count, 200);
-    return outline;
-}
-
-}  // namespace
-
 report::SceneOutline outline_of(const TriangleMesh& mesh, const OutlineLimits& limits) {
-    const double area = total_area(mesh.view());
-    if (!(area > 0.0)) return some_vertices(mesh.vertices, limits.points);
+    if (!(total_area(mesh.view()) > 0.0)) return some_vertices(mesh.vertices, limits.points);
     if (mesh.triangles.size() > limits.triangles) {
-        return surface_points(mesh.view(), area, limits.points);
+        return surface_points(mesh.view(), limits.points);
     }
     return {mesh.vertices, mesh.triangles, {}};
 }

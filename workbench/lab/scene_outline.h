@@ -14,6 +14,10 @@ struct OutlineLimits {
     std::size_t points = 150'000;     ///< on the surface of such a mesh, or of a point cloud
 };
 
+/// `count` points spread over a mesh's surface, as many on equal areas, with their shades. None if
+/// it has no area.
+[[nodiscard]] report::SceneOutline surface_points(TriangleMeshView mesh, std::size_t count);
+
 /// A mesh as it is if it has few triangles, or as points spread over its surface: as many on equal
 /// areas, shaded by the triangle's direction. A mesh without triangles is so many of its vertices,
 /// evenly drawn.

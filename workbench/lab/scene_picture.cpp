@@ -4,10 +4,10 @@
 
 #include "lab/scene_picture.h"
 
+#include "lab/room_view.h"
 #include "render/develop.h"
 #include "render/encode_image.h"
 #include "render/heat_map.h"
-#include "render/ray_tracer.h"
 #include "render/render.h"
 
 #include <fmt/format.h>
@@ -111,22 +111,26 @@ report::Picture draw(const std::vector<float>& values, ColorOf color_of) {
 
 }  // namespace
 
-render::Camera picture_camera(std::span<const Vec3f> vertices) {
-    return render::frame_points(vertices, {}, 16.0 / 9.0);
+std::unique_ptr<render::RayTracer> picture_tracer(TriangleMeshView mesh, int threads) {
+    const Method& method = find_method("fast");
+    BuildOptions build = method.options();
+    build.threads = threads;
+    return render::build_tracer(method, build, mesh);
 }
 
-report::Picture render_picture(const PictureScene& scene) {
+render::Camera picture_camera(TriangleMeshView mesh, const render::RayTracer& tracer) {
+    const render::Camera outside = render::frame_points(mesh.vertices(), {}, 16.0 / 9.0);
+    return view_of_room(mesh, tracer, outside).value_or(outside);
+}
+
+report::Picture render_picture(const PictureScene& scene, const render::RayTracer& tracer) {
     render::Lighting lighting{
         {}, {{}, scene.camera.up}, render::Emitters(scene.mesh, *scene.attributes)};
     if (lighting.emitters.is_empty()) {
         lighting.lamp = render::Lamp{
             .position = render::place_light(scene.camera, bounds_of(scene.mesh.vertices()))};
     }
-    const Method& method = find_method("fast");
-    BuildOptions build = method.options();
-    build.threads = scene.threads;
-    const auto tracer = render::build_tracer(method, build, scene.mesh);
-    const render::View view{tracer.get(), scene.mesh, scene.attributes, &lighting};
+    const render::View view{&tracer, scene.mesh, scene.attributes, &lighting};
     const render::IntegratorEntry& entry = render::find_integrator("whitted");
     const render::Image image =
         render::render(view, scene.camera, *entry.make({}), options_of(scene, picture_width, 4))

@@ -5,9 +5,10 @@
 #include "coppice/tree/kd_tree.h"
 
 #include "render/camera.h"
+#include "render/ray_tracer.h"
 #include "report/exhibits.h"
 
-#include <span>
+#include <memory>
 
 namespace coppice::lab {
 
@@ -19,12 +20,17 @@ struct PictureScene {
     int threads = 0;  ///< at most so many; 0 = all the hardware has
 };
 
-/// The camera that `coppice render` chooses for such a mesh and a picture like these.
-[[nodiscard]] render::Camera picture_camera(std::span<const Vec3f> vertices);
+/// What pictures of a mesh are traced with: the tree `fast`, built for it by at most `threads`
+/// threads. The mesh must outlive it.
+[[nodiscard]] std::unique_ptr<render::RayTracer> picture_tracer(TriangleMeshView mesh, int threads);
 
-/// The scene as `coppice render` shows it, in 960 x 540 pixels of 4 samples. Traced with the tree
-/// `fast`, built for it.
-[[nodiscard]] report::Picture render_picture(const PictureScene& scene);
+/// The camera that `coppice render` chooses for a mesh, or one inside if the mesh is a room, see
+/// view_of_room().
+[[nodiscard]] render::Camera picture_camera(TriangleMeshView mesh, const render::RayTracer& tracer);
+
+/// The scene as `coppice render` shows it, in 960 x 540 pixels of 4 samples.
+[[nodiscard]] report::Picture render_picture(const PictureScene& scene,
+                                             const render::RayTracer& tracer);
 
 /// What the same camera's rays take in trees over the scene's triangles, in 640 x 360 pixels of 2
 /// samples: of `full` alone or, with `other`, of both on one scale, and the difference.

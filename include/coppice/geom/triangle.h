@@ -16,6 +16,9 @@ using Triangle = std::array<Vec3f, 3>;
 /// The box of a triangle's corners.
 [[nodiscard]] Aabb triangle_bounds(const Triangle& triangle) noexcept;
 
+/// The same, but all NaN if any coordinate is, which a box of the other corners would hide.
+[[nodiscard]] Aabb triangle_bounds_or_nan(const Triangle& triangle) noexcept;
+
 /// Area, in double precision; 0 for a degenerate triangle.
 [[nodiscard]] double triangle_area(const Triangle& triangle) noexcept;
 

@@ -37,8 +37,9 @@ public:
         return {vertices_[corner[0]], vertices_[corner[1]], vertices_[corner[2]]};
     }
 
+    /// The box of triangle `id`; not finite unless all its corners are.
     [[nodiscard]] Aabb bounds(std::uint32_t id) const noexcept {
-        return triangle_bounds(triangle(id));
+        return triangle_bounds_or_nan(triangle(id));
     }
 
     /// The box of the part of triangle `id` inside `box`; see clipped_triangle_bounds().

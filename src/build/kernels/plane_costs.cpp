@@ -17,13 +17,17 @@
 #include <cstring>
 #include <limits>
 
-// The function is compiled for either instruction set and chosen when the program is loaded.
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__)
+// The function is compiled for either instruction set and chosen when the program is loaded, which
+// is before the thread sanitizer is ready for code of ours.
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && \
+    !defined(__SANITIZE_THREAD__)
 #define COPPICE_PLANE_COSTS_TARGETS __attribute__((target_clones("avx2", "default")))
-// All that takes or returns vectors is inline: there is no calling convention to care about.
-#pragma GCC diagnostic ignored "-Wpsabi"
 #else
 #define COPPICE_PLANE_COSTS_TARGETS
+#endif
+#if !defined(__clang__)
+// All that takes or returns vectors is inline: there is no calling convention to care about.
+#pragma GCC diagnostic ignored "-Wpsabi"
 #endif
 
 // What a clone calls must be part of it, or it is compiled for the plainest processor.

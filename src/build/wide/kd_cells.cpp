@@ -38,7 +38,8 @@ Cells make_cells(const Skeleton& skeleton, TriangleMeshView mesh, MemoryMeter& m
         sizes.push_back(fragments.size());
     }
     std::vector<Range> ranges = make_ranges(sizes);
-    Cells made{{}, Arena(ranges.empty() ? 0 : ranges.back().end, meter), std::move(ranges)};
+    Arena arena(ranges.empty() ? 0 : ranges.back().end, meter);
+    Cells made{{}, std::move(arena), std::move(ranges)};
     made.top.nodes.clear();
     for (const Horizon::Node& node : horizon.nodes()) {
         const bool is_cell = node.lower == Horizon::Node::is_cell;

@@ -41,7 +41,9 @@ struct Top {
 [[nodiscard]] std::vector<Range> fill_cells(const Top& top, std::span<Reference> from,
                                             std::span<Reference> to);
 
-/// The cells that a tree is grown from: a top, and the references below each of its leaves.
+/// The cells that a tree is grown from: a top, and the references below each of its leaves. To be
+/// initialized with an arena that there is: where one was made in place and memory ran out, g++ 12
+/// destroyed `top` twice.
 struct Cells {
     Top top;
     Arena arena;
