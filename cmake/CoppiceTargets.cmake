@@ -17,8 +17,15 @@ function(coppice_sources variable folder)
   set(${variable} ${found} PARENT_SCOPE)
 endfunction()
 
+# Where time is short: code outside the library waits for nothing but its compilation.
+set(COPPICE_OUTER_FLAGS "" CACHE STRING "More compiler flags of all our code but the library")
+
 # coppice_target(<target>): the compile options of our own code.
 function(coppice_target target)
+  if(NOT target STREQUAL coppice)
+    separate_arguments(outer_flags NATIVE_COMMAND "${COPPICE_OUTER_FLAGS}")
+    target_compile_options(${target} PRIVATE ${outer_flags})
+  endif()
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
     -Wno-missing-field-initializers # {.rate = 0.05} leaves the rest at its defaults on purpose

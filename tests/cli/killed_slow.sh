@@ -26,7 +26,7 @@ for ((run = 0; run < ${COPPICE_KILLS:-20}; ++run)); do
         expect_exit 1 coppice experiment --resume killed
         expect_exit 0 coppice experiment balls.ply "${options[@]}" --out killed
     fi
-    expect_equal "$(ls -A killed)" $'report.html\nresults.csv\nresults.json'
+    expect_equal "$(ls -A killed)" $'experiment.json\nreport.html\nresults.csv\nresults.json'
     expect_equal "$(stable killed/results.csv)" "$(stable whole/results.csv)"
     rm -r killed
 done
