@@ -68,11 +68,14 @@ private:
     double shown_ = 0.0;
 };
 
+Interrupted interrupted() {
+    return Interrupted("interrupted: the tree is not finished, nothing is written");
+}
+
 }  // namespace
 
 void watch_build(lab::ProgressLine& progress, const std::string& what, const BuildControl& limits,
                  const std::function<void(const BuildControl&)>& build) {
-    const Interrupted interrupted("interrupted: the tree is not finished, nothing is written");
     const InterruptWatch watch;
     ShownProgress shown(progress, what);
     BuildControl control = limits;
@@ -81,10 +84,10 @@ void watch_build(lab::ProgressLine& progress, const std::string& what, const Bui
     try {
         build(control);
     } catch (const Error& error) {
-        if (error.code() == ErrorCode::cancelled && watch.caught()) throw interrupted;
+        if (error.code() == ErrorCode::cancelled && watch.caught()) throw interrupted();
         throw;
     }
-    if (watch.caught()) throw interrupted;  // it came too late to stop anything
+    if (watch.caught()) throw interrupted();  // it came too late to stop anything
 }
 
 void note_preset(const BuildReport& report) {
