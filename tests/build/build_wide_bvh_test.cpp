@@ -32,6 +32,7 @@ std::vector<BuildOptions> all_ways() {
                             .wide = {.cell_size = 64, .sampled_from = 0}});
         }
     }
+    ways.push_back({.wide = {.preset = WidePreset::quality}});
     return ways;
 }
 

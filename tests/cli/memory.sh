@@ -32,13 +32,13 @@ expect_exit 0 coppice build balls.ply --json --memory-limit 1T
 expect_stderr_empty
 read -r preset bytes <<<"$(peak)"
 expect_equal "$preset" quality
-expect_exit 0 coppice build balls.ply --json --memory-limit $((bytes * 9 / 10))
+expect_exit 0 coppice build balls.ply --json --memory-limit $((bytes * 97 / 100))
 expect_stderr_one_line
 expect_stderr "^coppice: note: quality would take about $size of memory beside .*: fast is taken instead$"
 read -r preset less <<<"$(peak)"
 expect_equal "$preset" fast
-((less <= bytes * 9 / 10)) || fail "$less bytes"
-expect_exit 0 coppice render balls.ply -o a.png --size 40x30 --spp 1 --memory-limit $((bytes * 9 / 10))
+((less <= bytes * 97 / 100)) || fail "$less bytes"
+expect_exit 0 coppice render balls.ply -o a.png --size 40x30 --spp 1 --memory-limit $((bytes * 97 / 100))
 expect_stderr ' fast is taken instead$'
 
 for wrong in 0 -1 x 1X '' 0.1 nan inf 1e30; do
