@@ -5,20 +5,17 @@
 #include "coppice/trace/brute_force.h"
 
 #include "support/meshes.h"
+#include "support/numbers.h"
 #include "support/random.h"
 #include "support/rays.h"
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <memory>
 #include <vector>
 
 namespace coppice::test {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 class EveryIsa : public testing::TestWithParam<Isa> {
 protected:
@@ -86,7 +83,7 @@ std::vector<Hit> all_hits(const TriangleMesh& mesh, const Ray& ray) {
 }
 
 // Sheets above each other, three of them at one height.
-TriangleMesh make_stack() {
+TriangleMesh make_sheets() {
     TriangleMesh stack;
     for (const float height : {3.0F, 1.0F, 2.0F, 1.0F, 2.5F, 1.0F}) {
         stack =
@@ -96,7 +93,7 @@ TriangleMesh make_stack() {
 }
 
 TEST_P(EveryIsa, FindsAllHitsInOrderAndGoesOn) {
-    const TriangleMesh mesh = make_stack();
+    const TriangleMesh mesh = make_sheets();
     const WideTracer tracer = make_tracer(mesh);
     Random random(3);
     for (int i = 0; i < 200; ++i) {
