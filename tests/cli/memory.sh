@@ -62,7 +62,7 @@ slack = float("inf") if "'"$(ldd "$COPPICE" | grep -c 'lib[at]san' || true)"'" !
 print(counted < held < 1.1 * counted + slack or (counted, held))' <<<"$stdout")" True
 
 # Little memory is an error, not a crash. Sanitizers themselves take more than any of this.
-limits=({60000..360000..20000})
+limits=({60000..360000..60000})
 [[ $(ldd "$COPPICE") != *lib[at]san* ]] || limits=()
 for kilobytes in "${limits[@]}"; do
     for method in exact sampled auto; do

@@ -4,6 +4,7 @@
 #include "coppice/build/build_tree.h"
 #include "coppice/trace/brute_force.h"
 
+#include "support/effort.h"
 #include "support/meshes.h"
 #include "support/numbers.h"
 #include "support/random.h"
@@ -32,7 +33,7 @@ TEST_P(EveryIsa, HasNoGapSeenFromInside) {
         }
         const WideTracer tracer = make_tracer(mesh);
         Random random(19);
-        for (int i = 0; i < 20'000; ++i) {
+        for (int i = 0; i < effort(20'000); ++i) {
             const Triangle any = mesh.view().triangle(random.below(mesh.view().size()));
             const Vec3f middle = 0.5F * any[0] + 0.5F * any[1];
             for (const Vec3f& target : {any[2], middle, offset + to_float(random.direction())}) {
