@@ -31,7 +31,8 @@ KdBuilder::KdBuilder(PrimitiveSetView primitives, const BuildOptions& options, c
       finder_(find_split_finder(options.split.rule)),
       cost_(options.cost),
       stop_(stop),
-      progress_(progress) {}
+      progress_(progress),
+      isa_(choose_isa()) {}
 
 // The split of a node, or nothing if it is to be a leaf; counts a bad refine on the node's path.
 std::optional<Split> KdBuilder::find_split(std::span<const Fragment> fragments,
@@ -39,7 +40,8 @@ std::optional<Split> KdBuilder::find_split(std::span<const Fragment> fragments,
     const double weight = weight_of(fragments);
     if (stop_.ends_at(node, weight, cost_)) return std::nullopt;
     const double leaf_cost = cost_.leaf_cost(weight);
-    const auto split = finder_.find({fragments, node.box, cost_, stop_.acceptable_cost(leaf_cost)});
+    const auto split =
+        finder_.find({fragments, node.box, cost_, stop_.acceptable_cost(leaf_cost), isa_});
     if (!split || !stop_.accepts(split->cost, leaf_cost, node)) return std::nullopt;
     return split;
 }

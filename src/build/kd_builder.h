@@ -22,6 +22,7 @@ namespace coppice {
 /// the number of threads.
 class KdBuilder {
 public:
+    /// Throws Error(invalid_argument) like choose_isa().
     KdBuilder(PrimitiveSetView primitives, const BuildOptions& options, const StopRule& stop,
               MemoryMeter* meter = nullptr, Progress* progress = nullptr);
 
@@ -40,6 +41,7 @@ private:
     SahCostModel cost_;
     StopRule stop_;
     Progress* progress_;
+    Isa isa_;
 };
 
 }  // namespace coppice

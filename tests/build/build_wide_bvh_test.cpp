@@ -8,6 +8,7 @@
 #include "coppice/trace/wide_tracer.h"
 
 #include "build/wide/top.h"
+#include "support/effort.h"
 #include "support/isa.h"
 #include "support/meshes.h"
 #include "support/rays.h"
@@ -32,6 +33,7 @@ std::vector<BuildOptions> all_ways() {
                             .wide = {.cell_size = 64, .sampled_from = 0}});
         }
     }
+    ways.push_back({.wide = {.preset = WidePreset::quality}});
     return ways;
 }
 
@@ -63,7 +65,7 @@ TEST_P(BuildWideBvhScene, IsTheSameForAllThreadsAndInstructionSets) {
 TEST_P(BuildWideBvhScene, IsHitAsByBruteForce) {
     const TriangleMesh mesh = GetParam().make();
     const KdTree planes = build_kd_tree(mesh.view());
-    const int ray_count = mesh.triangles.size() > 1500 ? 8 : 40;
+    const int ray_count = effort(mesh.triangles.size() > 1500 ? 8 : 40);
     for (const BuildOptions& options : all_ways()) {
         const WideBvh tree = build_wide_bvh(mesh.view(), options);
         for (const Isa isa : available_isas()) {

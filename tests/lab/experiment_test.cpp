@@ -182,7 +182,7 @@ TEST(Experiment, MethodsAndSamplersAreMoreRows) {
     const TemporaryFolder folder;
     ExperimentOptions options = small_options(folder.make_scene("hills.ply", "terrain", 400));
     options.protocols = {"scaled"};
-    options.methods = {"sampled", "binned", "quality"};
+    options.methods = {"sampled", "binned", "fast"};
     options.samplers = {"uniform", "weighted"};
     options.percents = {5, 100};
     const SceneResult result = run_experiment(options).at(0);
@@ -192,7 +192,7 @@ TEST(Experiment, MethodsAndSamplersAreMoreRows) {
         EXPECT_EQ(row.report.options.sample.rate,
                   row.sampler.empty() ? 1.0 : row.sample_percent / 100.0);
     }
-    // `binned` does not sample, `quality` is over triangles, so few of which it does not sample.
+    // `binned` does not sample, `fast` is over triangles, so few of which it does not sample.
     EXPECT_THAT(keys, testing::ElementsAre(
                           "points scaled 1 5 uniform", "points scaled 1 100 uniform",
                           "points scaled 1 5 weighted", "points scaled 1 100 weighted",
@@ -203,7 +203,7 @@ TEST(Experiment, MethodsAndSamplersAreMoreRows) {
                           "triangles scaled 1 100 weighted", "triangles sampled 1 5 uniform",
                           "triangles sampled 1 100 uniform", "triangles sampled 1 5 weighted",
                           "triangles sampled 1 100 weighted", "triangles binned 1 100 ",
-                          "triangles quality 1 100 uniform"));
+                          "triangles fast 1 100 uniform"));
     EXPECT_EQ(result.knees.size(), 8U) << "by kind, builder and sampler, where there are rates";
 }
 

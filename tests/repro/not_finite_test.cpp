@@ -5,18 +5,15 @@
 #include "coppice/geom/point_cloud.h"
 
 #include "support/meshes.h"
+#include "support/numbers.h"
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <string>
 #include <vector>
 
 namespace coppice::test {
 namespace {
-
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 template <typename Build>
 std::string error_of_build(Build&& build) {

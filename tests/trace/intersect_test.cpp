@@ -3,6 +3,7 @@
 #include "coppice/build/build_tree.h"
 #include "coppice/trace/brute_force.h"
 
+#include "support/effort.h"
 #include "support/meshes.h"
 #include "support/rays.h"
 #include "support/scene_matrix.h"
@@ -57,7 +58,7 @@ class IntersectScene : public testing::TestWithParam<SceneAndRule> {};
 TEST_P(IntersectScene, EqualsBruteForceForAllKindsOfRays) {
     const auto& [scene, rule] = GetParam();
     const TriangleMesh mesh = scene.make();
-    const int ray_count = mesh.triangles.size() > 900 ? 6 : 24;
+    const int ray_count = effort(mesh.triangles.size() > 900 ? 6 : 24);
     for (const double rate : {1.0, 0.3, 0.02}) {
         for (const Growth growth : {Growth::none, Growth::kd}) {
             const KdTree tree = build_kd_tree(mesh.view(), {.sample = {.rate = rate},

@@ -3,6 +3,7 @@
 // of all methods and every instruction set. The slow test has larger meshes and as many rays as one
 // likes.
 
+#include "support/effort.h"
 #include "support/scene_matrix.h"
 #include "trace/closed_meshes.h"
 
@@ -15,7 +16,7 @@ TEST_P(ClosedMesh, LetsNoRayOut) {
     const TriangleMesh mesh = GetParam().make();
     const InsideRays rays(mesh, 17);
     for_all_trees(mesh, [&](const std::string& name, const lab::TracedTree& tree) {
-        const Escapes found = count_escapes(rays, tree, 12'500, 1);
+        const Escapes found = count_escapes(rays, tree, effort(12'500), 1);
         EXPECT_EQ(found.misses, 0U) << name << ": ray " << found.first_miss;
     });
 }
@@ -28,7 +29,7 @@ TEST_P(ClosedMesh, LetsNoRayOnTheGridOut) {
     const auto unit = static_cast<float>(box.extent(Axis::y) / 32.0);
     for_all_trees(mesh, [&](const std::string& name, const lab::TracedTree& tree) {
         Random random(8);
-        for (int i = 0; i < 1000; ++i) {
+        for (int i = 0; i < effort(1000); ++i) {
             Ray ray{.origin = center};
             for (const Axis axis : all_axes) {
                 ray.origin[axis] += unit * (static_cast<float>(random.below(9)) - 4.0F);

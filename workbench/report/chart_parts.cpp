@@ -105,7 +105,8 @@ ProtocolStyle sampler_style(std::string_view line, std::size_t comma) {
         const unsigned long part = color >> shift & 255U;
         mixed += fmt::format("{:02x}", is_light ? (part + 255U) / 2U : part * 6U / 10U);
     }
-    return {style.name + sampler, style.label + sampler, mixed,
+    const std::string short_label = style.label.substr(0, style.label.find(' '));
+    return {style.name + sampler, short_label + sampler, mixed,
             is_light ? "triangle-down" : "cross"};
 }
 

@@ -88,7 +88,7 @@ std::string calibration_row(const json& found) {
         "<tr><th scope=\"row\">{}{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
         "<td>{}</td><td>{}</td><td>{}</td></tr>",
         form_name(text_at(found, "tree")),
-        caution.empty() ? "" : fmt::format("<br><small>{}</small>", escape_html(caution)),
+        caution.empty() ? "" : fmt::format("<small>{}</small>", escape_html(caution)),
         escape_html(text_at(found, "residuals")), constant_text(found, "traversal"),
         constant_text(found, "intersection"), share ? fmt::format("{:.4f}", *share) : "–",
         format_ratio(number("rms_nanoseconds")), format_share(number("relative_rms")),

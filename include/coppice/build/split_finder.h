@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/base/cpu.h"
 #include "coppice/cost/sah_cost_model.h"
 #include "coppice/geom/aabb.h"
 #include "coppice/tree/kd_node.h"
@@ -37,6 +38,7 @@ struct SplitQuery {
     const SahCostModel& cost;
     double acceptable_cost;  ///< a rule that can choose looks further than its first axis until it
                              ///< finds a split that costs less
+    Isa isa = Isa::scalar;   ///< that the processor has; the split does not depend on it
 };
 
 /// Finds where to split a node. Stateless; called from several threads at once.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "coppice/base/cpu.h"
+
 #include <cstddef>
 
 namespace coppice {
@@ -37,6 +39,9 @@ struct BestPlane {
 };
 
 /// Evaluates the ends strictly inside the node. Costs are, bit for bit, those of PlaneEvaluator.
-[[nodiscard]] BestPlane find_best_plane(const AxisEnds& ends, const CostTerms& terms) noexcept;
+using PlaneKernel = BestPlane (*)(const AxisEnds& ends, const CostTerms& terms) noexcept;
+
+/// The kernel for an instruction set that this processor has. All find the same.
+[[nodiscard]] PlaneKernel plane_kernel_for(Isa isa) noexcept;
 
 }  // namespace coppice

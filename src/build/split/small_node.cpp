@@ -72,6 +72,7 @@ private:
 
 std::optional<Split> find_in_small_node(const SplitQuery& query) noexcept {
     const NodeEnds ends(query.fragments);
+    const PlaneKernel find_best_plane = plane_kernel_for(query.isa);
     const double inverse_area = 1.0 / query.box.surface_area();
     BestPlane best{std::numeric_limits<double>::infinity(), 0.0F};
     Axis best_axis = Axis::x;

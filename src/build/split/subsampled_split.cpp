@@ -36,7 +36,7 @@ std::optional<Split> SubsampledSplit::find(const SplitQuery& query) const {
     const auto grid = bin_grid(query.box);
     if (!grid) return ExactSplit().find(query);
     const std::vector<Fragment> part = subsample(query.fragments);
-    const SplitQuery part_query{part, query.box, query.cost, query.acceptable_cost};
+    const SplitQuery part_query{part, query.box, query.cost, query.acceptable_cost, query.isa};
     const NodeBins bins = bin_node(part, *grid);
     const double weight = weight_of(part);
     std::optional<BinBoundary> best;

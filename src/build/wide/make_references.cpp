@@ -11,8 +11,6 @@
 namespace coppice::wide {
 namespace {
 
-constexpr std::size_t chunk_size = 16384;
-
 // triangle_bounds(), inline.
 Aabb bounds_of_corners(const Triangle& triangle) {
     const auto& [a, b, c] = triangle;
@@ -31,6 +29,7 @@ float finite_or_nan(const Triangle& triangle) {
 }  // namespace
 
 void make_references(TriangleMeshView mesh, std::span<Reference> references) {
+    constexpr std::size_t chunk_size = 16384;
     std::atomic<bool> are_finite = true;
     parallel_for_chunks(references.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
         float test = 0.0F;
