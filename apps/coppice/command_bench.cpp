@@ -130,7 +130,7 @@ Command add_bench(CLI::App& program) {
         "Examples:\n"
         "  coppice bench scenes/dragon.obj\n"
         "  coppice bench scenes/dragon.obj --methods exact,binned --rays primary --threads 1\n"
-        "  coppice bench a.obj b.ply.gz --runs 11 --json bench.json\n"
+        "  coppice bench scenes/*.obj --runs 11 --json bench.json\n"
         "The names of methods and peers are explained by `coppice list`.");
     return {parser, [parser, request](Output& output) {
                 require_scenes(*parser, request->scenes);

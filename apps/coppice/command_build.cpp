@@ -146,7 +146,7 @@ Command add_build(CLI::App& program) {
         "  coppice build scenes/dragon.obj\n"
         "  coppice build scenes/dragon.obj --method sampled --sample 0.1%\n"
         "  coppice build scenes/dragon.obj -o dragon.cpk\n"
-        "  coppice build a.obj b.ply.gz --method exact --threads 1 --json\n"
+        "  coppice build scenes/*.obj --method exact --threads 1 --json\n"
         "The names of methods and samplers are explained by `coppice list`.");
     return {parser, [parser, request](Output& output) {
                 require_scenes(*parser, request->scenes);

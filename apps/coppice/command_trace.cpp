@@ -126,8 +126,9 @@ Command add_trace(CLI::App& program) {
         "Examples:\n"
         "  coppice trace scenes/dragon.obj\n"
         "  coppice trace scenes/dragon.obj --rays axis,grazing --check embree\n"
+        "  coppice build scenes/dragon.obj -o dragon.cpk\n"
         "  coppice trace scenes/dragon.obj --tree dragon.cpk\n"
-        "  coppice trace a.obj b.ply.gz --method sampled --count --json trace.json\n"
+        "  coppice trace scenes/*.obj --method sampled --count --json trace.json\n"
         "The names of methods and ray kinds are explained by `coppice list`.");
     return {parser, [parser, request](Output& output) {
                 require_scenes(*parser, request->scenes);

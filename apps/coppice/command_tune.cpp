@@ -105,7 +105,7 @@ Command add_tune(CLI::App& program) {
         "Examples:\n"
         "  coppice tune scenes/dragon.obj --rays 1e8\n"
         "  coppice tune scenes/dragon.obj --rays 1e6 --methods fast,quality --rates 0.5,1,100\n"
-        "  coppice tune room.ply --eye 1,2,3 --look-at 0,1,0 --json tune.json\n"
+        "  coppice tune scenes/dragon.obj --eye=-0.1,0.2,0.4 --look-at=0,0.1,0 --json tune.json\n"
         "The names of methods are explained by `coppice list`.");
     return {parser, [parser, request](Output& output) {
                 require_scenes(*parser, request->scenes);

@@ -65,7 +65,8 @@ json traced_scene() {
                                       {"residuals", "absolute"},
                                       {"traversal_nanoseconds", 2.5},
                                       {"r_squared", 0.9},
-                                      {"is_rank_deficient", true}}};
+                                      {"traversal_error", 0.25},
+                                      {"caution", "rank-deficient: <"}}};
     return scene;
 }
 
@@ -112,7 +113,7 @@ TEST(Laboratory, SaysWhatWasFound) {
     const std::string html = make_laboratory(scene, traced_series(scene));
     EXPECT_THAT(html,
                 HasSubstr("0.875 with the time of a ray, not defined with its counted steps"));
-    EXPECT_THAT(html, HasSubstr("rank-deficient"));
+    EXPECT_THAT(html, HasSubstr("rank-deficient: &lt;"));
     EXPECT_THAT(html, HasSubstr("Cost by depth, two trees side by side"));
     for (const char* id : {"hall-triangles-cost-ray-kd", "hall-triangles-image-time",
                            "hall-triangles-parts-grown", "hall-triangles-pair-levels"}) {

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* line_format = "{:<7} {:<44} {:<24} {:>12} {:>12} {:>8}  {}\n";
+constexpr const char* line_format = "{:<7} {:<48} {:<24} {:>12} {:>12} {:>8}  {}\n";
 
 Json number_or_null(double value) {
     return std::isfinite(value) ? Json(value) : Json();
@@ -32,8 +32,9 @@ std::string line_of(const Difference& difference) {
 std::string rule_text(const CompareOptions& options) {
     return fmt::format(
         "with several seeds in common a figure differs if 1 is outside the {} of the mean of B/A, "
-        "paired by seed, and times besides by more than {:.3g} %; else costs and bytes differ by "
-        "more than {:.3g} %, times and speeds by more than {:.3g} %; times by more than 2 ms",
+        "paired by seed, and times and speeds besides by more than {:.3g} %; else costs, steps and "
+        "bytes differ by more than {:.3g} %, times and speeds by more than {:.3g} %; build times "
+        "by more than 2 ms; of mismatches one more is worse",
         interval_name, 100.0 * options.time_tolerance, 100.0 * options.tolerance,
         100.0 * options.time_tolerance);
 }

@@ -26,7 +26,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int format_version = 2;
+constexpr int format_version = 3;
 
 [[noreturn]] void fail(const std::filesystem::path& path, const char* what) {
     throw file_error(ErrorCode::io, path.string(),
@@ -82,6 +82,7 @@ json rays_json(const RayFigures& figures) {
     json rays{{"kind", name_of(figures.kind)},
               {"rays", figures.rays},
               {"wall_seconds", figures.wall_seconds},
+              {"reference_seconds", figures.reference_seconds},
               {"mismatches", figures.mismatches}};
     if (!figures.steps) return rays;
     rays["nodes"] = figures.steps->nodes;
@@ -96,6 +97,7 @@ RayFigures read_rays(const json& from) {
         find_named(ray_kind_registry(), from.at("kind").get<std::string>(), "kind of rays").kind;
     from.at("rays").get_to(figures.rays);
     from.at("wall_seconds").get_to(figures.wall_seconds);
+    from.at("reference_seconds").get_to(figures.reference_seconds);
     from.at("mismatches").get_to(figures.mismatches);
     if (from.contains("nodes")) {
         figures.steps = {from.at("nodes"), from.at("leaves"), from.at("primitives")};

@@ -150,15 +150,25 @@ std::string section_line(const ResultRow& row, bool names_sampler) {
     return text + '\n';
 }
 
-std::string choice_lines(std::span<const Recommendation> choices, bool names_sampler) {
+/// What a recommended sample does not give.
+std::string choice_note(const Recommendation& choice) {
+    if (choice.chosen.percent == 100.0) return ": no smaller sample is good enough";
+    if (choice.saves_time()) return "";
+    return choice.chosen.time < 1.0 ? ": whether it saves time is within noise"
+                                    : ": it saves no time";
+}
+
+/// `is_rule`: these are recommended.
+std::string choice_lines(std::span<const Recommendation> choices, bool names_sampler,
+                         bool is_rule) {
     std::string text;
     for (const Recommendation& choice : choices) {
         const std::string how = names_sampler
                                     ? fmt::format("{}, {}", choice.protocol, choice.sampler)
                                     : choice.protocol;
-        text += fmt::format("  {}, {}: {} % (cost x {}, time x {})\n", choice.primitives, how,
+        text += fmt::format("  {}, {}: {} % (cost x {}, time x {}){}\n", choice.primitives, how,
                             choice.chosen.percent, relative_text(choice.chosen.cost),
-                            relative_text(choice.chosen.time));
+                            relative_text(choice.chosen.time), is_rule ? choice_note(choice) : "");
     }
     return text.empty() ? "  none\n" : text;
 }
@@ -167,8 +177,9 @@ std::string recommendation_lines(const SceneResult& scene, double tolerance, int
     const bool names_sampler = has_samplers(scene);
     return fmt::format(
         "* recommended: {}\n{}knee: the greatest saving of time per added cost (Kneedle)\n{}",
-        recommendation_rule(tolerance, seed_count), choice_lines(scene.recommended, names_sampler),
-        choice_lines(scene.knees, names_sampler));
+        recommendation_rule(tolerance, seed_count),
+        choice_lines(scene.recommended, names_sampler, true),
+        choice_lines(scene.knees, names_sampler, false));
 }
 
 }  // namespace

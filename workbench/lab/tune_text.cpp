@@ -1,4 +1,5 @@
 #include "lab/tune.h"
+#include "render/render_report.h"
 
 #include <fmt/format.h>
 
@@ -9,12 +10,13 @@ namespace coppice::lab {
 
 namespace {
 
-constexpr double near_share = 0.03;  // closer than medians of a few runs can tell apart
+constexpr double near_share = 0.03;  // closer than medians of a few runs can tell apart, ever
 
 constexpr const char* line_format =
     "{:1} {:<10} {:>8} {:>9} {:>9} {:>8} {:>8} {:>8} {:>8} {:>10}  {}\n";
 
 std::string seconds_text(double seconds) {
+    if (seconds >= 1e6) return fmt::format("{:.3g}", seconds);
     const int digits = seconds < 0.01 ? 6 : seconds < 100.0 ? 4 : 1;
     return fmt::format("{:.{}f}", seconds, digits);
 }
@@ -25,6 +27,10 @@ std::string nanoseconds_text(const std::optional<double>& seconds) {
 
 std::string count_text(double count) {
     return fmt::format("{:.3g}", count);
+}
+
+std::string rays_text(double count) {
+    return count_text(count) + (count == 1.0 ? " ray" : " rays");
 }
 
 std::string percent_text(double percent) {
@@ -80,15 +86,15 @@ std::string reason_text(const TuneResult& result) {
 /// The rows that are nearly as fast.
 std::string near_text(const TuneOptions& options, const TuneResult& result) {
     const double best = result.rows[result.chosen].time.seconds(options.ray_count);
+    const double noise = std::max(near_share, result.rows[result.chosen].measured.scatter);
     std::string names;
     for (std::size_t i = 0; i < result.rows.size(); ++i) {
-        const bool is_near =
-            result.rows[i].time.seconds(options.ray_count) <= (1.0 + near_share) * best;
+        const bool is_near = result.rows[i].time.seconds(options.ray_count) <= (1.0 + noise) * best;
         if (i == result.chosen || !is_near) continue;
         names += (names.empty() ? "" : ", ") + name_text(result.rows[i]);
     }
     if (names.empty()) return {};
-    return fmt::format("; within {:.0f} % of it, which is noise: {}", 100.0 * near_share, names);
+    return fmt::format("; within {:.0f} % of it, which is noise: {}", 100.0 * noise, names);
 }
 
 }  // namespace
@@ -101,8 +107,9 @@ std::string tune_table(const TuneOptions& options, const TuneResult& result) {
         result.scene.ray_counts[1], result.scene.ray_counts[2], result.rows[0].measured.threads,
         result.rows[0].measured.threads == 1 ? "" : "s", options.runs,
         options.runs == 1 ? "" : "s");
+    text += fmt::format("rays from {}\n", render::camera_text(result.scene.camera));
     text += fmt::format(line_format, "", "", "", "build", "CPU", "primary", "shadow", "diffuse",
-                        "a ray", fmt::format("{} rays", count_text(options.ray_count)), "");
+                        "a ray", rays_text(options.ray_count), "");
     text += fmt::format(line_format, "", "method", "sample", "s", "s", "ns", "ns", "ns", "ns", "s",
                         "fastest");
     for (std::size_t i = 0; i < result.rows.size(); ++i) {
@@ -113,12 +120,11 @@ std::string tune_table(const TuneOptions& options, const TuneResult& result) {
 
 std::string tune_sentence(const TuneOptions& options, const TuneResult& result) {
     const TuneRow& chosen = result.rows[result.chosen];
-    return fmt::format(
-        "{}: for {} rays use {}: with {} s to build and {} ns a ray they take {} s{}{}.",
-        result.scene.scene, count_text(options.ray_count), name_text(chosen),
-        seconds_text(chosen.time.build), nanoseconds_text(chosen.time.ray),
-        seconds_text(chosen.time.seconds(options.ray_count)), reason_text(result),
-        near_text(options, result));
+    return fmt::format("{}: for {} use {}: with {} s to build and {} ns a ray they take {} s{}{}.",
+                       result.scene.scene, rays_text(options.ray_count), name_text(chosen),
+                       seconds_text(chosen.time.build), nanoseconds_text(chosen.time.ray),
+                       seconds_text(chosen.time.seconds(options.ray_count)), reason_text(result),
+                       near_text(options, result));
 }
 
 }  // namespace coppice::lab

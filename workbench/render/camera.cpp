@@ -140,15 +140,6 @@ Vec3d center_in_view(std::span<const Vec3d> points, const View& view) {
     return center;
 }
 
-/// The nearest multiple of `unit`, unless that is too small for such arithmetic.
-Vec3f rounded(Vec3d v, double unit) {
-    const auto round = [unit](double x) {
-        const double multiple = std::round(x / unit) * unit;
-        return std::isfinite(multiple) ? multiple + 0.0 : x;  // + 0.0: no -0
-    };
-    return to_float({round(v.x), round(v.y), round(v.z)});
-}
-
 double tan_half(double fov) {
     return std::tan(0.5 * fov * std::numbers::pi / 180.0);
 }
@@ -165,10 +156,19 @@ const Camera& checked(const Camera& camera) {
 
 }  // namespace
 
+Vec3f in_few_digits(Vec3d point, double distance) {
+    const double unit = std::pow(10.0, std::floor(std::log10(distance)) - 4.0);
+    const auto round = [unit](double x) {
+        const double multiple = std::round(x / unit) * unit;
+        return std::isfinite(multiple) ? multiple + 0.0 : x;  // + 0.0: no -0
+    };
+    return to_float({round(point.x), round(point.y), round(point.z)});
+}
+
 Camera frame_box(const Aabb& box, const CameraWish& wish, double aspect) {
     const Aabb seen = box.is_empty() ? Aabb{{}, {}} : box;
     Camera camera;
-    camera.fov = wish.fov;
+    camera.fov = wish.fov.value_or(default_fov);
     camera.up = wish.up.value_or(likely_up(seen));
     const Vec3d target = wish.look_at ? to_double(*wish.look_at) : center_of(seen);
     camera.look_at = to_float(target);
@@ -178,7 +178,7 @@ Camera frame_box(const Aabb& box, const CameraWish& wish, double aspect) {
     }
     const View view = best_view(seen, to_double(camera.up));
     const double distance =
-        framing_distance(corners_of(seen), target, view, tan_half(wish.fov), aspect);
+        framing_distance(corners_of(seen), target, view, tan_half(camera.fov), aspect);
     camera.eye = to_float(target - distance * view.forward);
     return checked(camera);
 }
@@ -195,11 +195,9 @@ Camera frame_points(std::span<const Vec3f> points, const CameraWish& wish, doubl
     const Vec3d vertical = normalized(to_double(camera.up));
     const View view = from_front(best_view(box, vertical), vertical);
     const Vec3d target = wish.look_at ? to_double(*wish.look_at) : center_in_view(seen, view);
-    const double distance = framing_distance(seen, target, view, tan_half(wish.fov), aspect);
-    // Few digits, since people copy them: to a ten-thousandth of the distance.
-    const double unit = std::pow(10.0, std::floor(std::log10(distance)) - 4.0);
-    if (!wish.look_at) camera.look_at = rounded(target, unit);
-    camera.eye = rounded(target - distance * view.forward, unit);
+    const double distance = framing_distance(seen, target, view, tan_half(camera.fov), aspect);
+    if (!wish.look_at) camera.look_at = in_few_digits(target, distance);
+    camera.eye = in_few_digits(target - distance * view.forward, distance);
     return checked(camera);
 }
 
