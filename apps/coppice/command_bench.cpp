@@ -24,7 +24,7 @@ namespace coppice::app {
 namespace {
 
 /// The options as the parser fills them in.
-struct Request {
+struct BenchRequest {
     std::vector<std::string> scenes;
     std::string json;
     lab::BenchOptions options;
@@ -90,7 +90,7 @@ void add_view(CLI::App& parser, lab::BenchOptions& options) {
               std::numeric_limits<std::int64_t>::max());
 }
 
-void run_request(Request& request, Output& output) {
+void run_request(BenchRequest& request, Output& output) {
     lab::BenchOptions& options = request.options;
     options.scenes.assign(request.scenes.begin(), request.scenes.end());
     if (!request.json.empty()) check_json_file(request.json);
@@ -120,7 +120,7 @@ Command add_bench(CLI::App& program) {
     CLI::App* parser = program.add_subcommand(
         "bench", "Measure building and tracing, in turns with Embree where there is one");
     parser->allow_extras();
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<BenchRequest>();
     add_scenes(*parser, request->scenes);
     add_who(*parser, request->options);
     add_how(*parser, request->options);

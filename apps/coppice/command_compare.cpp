@@ -16,14 +16,14 @@ namespace coppice::app {
 namespace {
 
 /// The options as the parser fills them in.
-struct Request {
+struct CompareRequest {
     std::vector<std::string> files;
     std::string json;
     double tolerance_percent = 1.0;
     double time_tolerance_percent = 25.0;
 };
 
-void run_request(const Request& request, Output& output) {
+void run_request(const CompareRequest& request, Output& output) {
     if (!request.json.empty()) check_json_file(request.json);
     const lab::CompareOptions options{request.tolerance_percent / 100.0,
                                       request.time_tolerance_percent / 100.0};
@@ -47,7 +47,7 @@ Command add_compare(CLI::App& program) {
     CLI::App* parser = program.add_subcommand(
         "compare", "Show what two results differ in beyond noise; exit code 1 if B is worse");
     parser->allow_extras();
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<CompareRequest>();
     parser->add_option("A B", request->files)->type_name("");
     add_percentage(
         *parser,

@@ -44,7 +44,7 @@ constexpr double infinity = std::numeric_limits<double>::max();
 enum class LampWish { automatic, none, given };
 
 /// The options as the parser fills them in.
-struct Request {
+struct RenderRequest {
     std::vector<std::string> scenes;
     std::string out;
     std::string integrator{"whitted"};
@@ -60,7 +60,7 @@ struct Request {
     bool as_json = false;
 };
 
-void add_image(CLI::App& parser, Request& request) {
+void add_image(CLI::App& parser, RenderRequest& request) {
     add_text(parser, {"-o,--out", "FILE", "The image to write: .png, .exr or .pfm", ""},
              request.out);
     add_name(parser,
@@ -85,7 +85,7 @@ void add_image(CLI::App& parser, Request& request) {
     parser.get_option("--cost-scale")->default_str("by the image");
 }
 
-void add_light(CLI::App& parser, Request& request) {
+void add_light(CLI::App& parser, RenderRequest& request) {
     const auto read_lamp = [&request](const std::string& given) {
         if (given == "auto" || given == "none") {
             request.lamp_wish = given == "auto" ? LampWish::automatic : LampWish::none;
@@ -146,7 +146,7 @@ double aspect_of(const render::RenderOptions& options) {
 }
 
 /// Throws Error(invalid_argument) if the camera that is asked for sees nothing.
-void check_camera(const Request& request, const TriangleMesh& mesh) {
+void check_camera(const RenderRequest& request, const TriangleMesh& mesh) {
     const auto& [eye, look_at, up, fov] = request.camera;
     if (!eye && !look_at && !up) return;
     static_cast<void>(render::CameraRays(
@@ -155,7 +155,7 @@ void check_camera(const Request& request, const TriangleMesh& mesh) {
 }
 
 /// The camera and the lights for what a scene holds; tells the report of both.
-render::Lighting set_up(const Request& request, const TriangleMesh& mesh,
+render::Lighting set_up(const RenderRequest& request, const TriangleMesh& mesh,
                         const render::RayTracer& tracer, render::Emitters emitters,
                         render::RenderReport& report) {
     const lab::ChosenCamera chosen =
@@ -185,7 +185,7 @@ double default_ao_distance(const Aabb& box) {
 }
 
 /// A tree built for the mesh, or loaded; tells the report which and how long it took.
-std::unique_ptr<render::RayTracer> make_tree(const Request& request, TriangleMeshView mesh,
+std::unique_ptr<render::RayTracer> make_tree(const RenderRequest& request, TriangleMeshView mesh,
                                              render::RenderReport& report,
                                              lab::ProgressLine& progress) {
     if (request.tree.empty()) {
@@ -212,7 +212,7 @@ std::unique_ptr<render::RayTracer> make_tree(const Request& request, TriangleMes
 }
 
 /// Loads, builds and traces; the report has all but where the image is.
-render::RenderResult render_scene(const Request& request, render::RenderReport& report,
+render::RenderResult render_scene(const RenderRequest& request, render::RenderReport& report,
                                   lab::ProgressLine& progress) {
     progress.show(report.scene + ": loading");
     LoadReport loaded;
@@ -258,7 +258,7 @@ void tell(const render::RenderReport& report, bool as_json, Output& output) {
     output.print(render::render_text(report) + fmt::format("written: {}\n", report.output));
 }
 
-void check_request(const CLI::App& parser, Request& request) {
+void check_request(const CLI::App& parser, RenderRequest& request) {
     require_scenes(parser, request.scenes);
     if (request.scenes.size() > 1) {
         throw UsageError(
@@ -274,7 +274,7 @@ void check_request(const CLI::App& parser, Request& request) {
     }
 }
 
-void run_request(const Request& request, Output& output) {
+void run_request(const RenderRequest& request, Output& output) {
     check_output(request.out);
     render::RenderReport report;
     report.scene = lab::scene_names(std::array{std::filesystem::path(request.scenes.front())})[0];
@@ -318,7 +318,7 @@ void run_request(const Request& request, Output& output) {
 Command add_render(CLI::App& program) {
     CLI::App* parser = program.add_subcommand("render", "Make a picture of a scene");
     parser->allow_extras();
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<RenderRequest>();
     add_scenes(*parser, request->scenes)->type_name("");
     add_image(*parser, *request);
     add_camera(*parser, request->camera);

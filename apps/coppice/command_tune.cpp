@@ -23,7 +23,7 @@ namespace coppice::app {
 namespace {
 
 /// The options as the parser fills them in.
-struct Request {
+struct TuneRequest {
     std::vector<std::string> scenes;
     std::string json;
     lab::TuneOptions options;
@@ -69,7 +69,7 @@ void add_how_to_measure(CLI::App& parser, lab::TuneOptions& options) {
               std::numeric_limits<std::int64_t>::max());
 }
 
-void run_request(Request& request, Output& output) {
+void run_request(TuneRequest& request, Output& output) {
     lab::TuneOptions& options = request.options;
     options.scenes.assign(request.scenes.begin(), request.scenes.end());
     if (!request.json.empty()) check_json_file(request.json);
@@ -96,7 +96,7 @@ Command add_tune(CLI::App& program) {
     CLI::App* parser = program.add_subcommand(
         "tune", "Tell which builder and rate to use for a number of rays, and why");
     parser->allow_extras();
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<TuneRequest>();
     add_scenes(*parser, request->scenes);
     add_what_to_measure(*parser, request->options);
     add_how_to_measure(*parser, request->options);

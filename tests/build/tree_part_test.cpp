@@ -12,8 +12,9 @@ using testing::ElementsAre;
 
 constexpr Plane split_plane{Axis::y, 2.5F};
 
-TreePart leaf_of(std::vector<std::uint32_t> ids) {
+TreePart leaf_of(const std::vector<std::uint32_t>& ids) {
     std::vector<Fragment> fragments;
+    fragments.reserve(ids.size());
     for (const std::uint32_t id : ids) {
         fragments.push_back({Aabb{}, id});
     }

@@ -21,6 +21,16 @@ TEST_P(ClosedMesh, LetsNoRayOut) {
     });
 }
 
+// A direction on a grid, with zeros of either sign.
+Vec3f grid_direction(Random& random) {
+    Vec3f direction;
+    for (const Axis axis : all_axes) {
+        direction[axis] = static_cast<float>(random.below(9)) - 4.0F;
+        if (direction[axis] == 0.0F && random.below(2) == 0) direction[axis] = -0.0F;
+    }
+    return direction;
+}
+
 // Origins, directions, vertices and planes on one grid: everything coincides that can.
 TEST_P(ClosedMesh, LetsNoRayOnTheGridOut) {
     const TriangleMesh mesh = GetParam().make();
@@ -30,13 +40,9 @@ TEST_P(ClosedMesh, LetsNoRayOnTheGridOut) {
     for_all_trees(mesh, [&](const std::string& name, const lab::TracedTree& tree) {
         Random random(8);
         for (int i = 0; i < effort(1000); ++i) {
-            Ray ray{.origin = center};
+            Ray ray{.origin = center, .direction = grid_direction(random)};
             for (const Axis axis : all_axes) {
                 ray.origin[axis] += unit * (static_cast<float>(random.below(9)) - 4.0F);
-                ray.direction[axis] = static_cast<float>(random.below(9)) - 4.0F;
-                if (ray.direction[axis] == 0.0F && random.below(2) == 0) {
-                    ray.direction[axis] = -0.0F;
-                }
             }
             if (!is_traceable(ray)) continue;
             ASSERT_TRUE(tree.intersect(ray) && tree.occluded(ray)) << name << ": ray " << i;

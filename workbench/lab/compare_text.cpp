@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* line_format = "{:<7} {:<48} {:<24} {:>12} {:>12} {:>8}  {}\n";
+constexpr const char* compare_line = "{:<7} {:<48} {:<24} {:>12} {:>12} {:>8}  {}\n";
 
 Json number_or_null(double value) {
     return std::isfinite(value) ? Json(value) : Json();
@@ -23,7 +23,7 @@ std::string interval_text(const Difference& difference) {
 }
 
 std::string line_of(const Difference& difference) {
-    return fmt::format(line_format, difference.is_worse ? "worse" : "better", difference.row,
+    return fmt::format(compare_line, difference.is_worse ? "worse" : "better", difference.row,
                        difference.measure, fmt::format("{:.6g}", difference.before),
                        fmt::format("{:.6g}", difference.after),
                        fmt::format("{:.4f}", difference.ratio), interval_text(difference));
@@ -70,7 +70,7 @@ std::string comparison_text(const Comparison& comparison, const CompareOptions& 
     }
     text += fmt::format("rule: {}\n\n", rule_text(options));
     if (!comparison.differences.empty()) {
-        text += fmt::format(line_format, "", "row", "figure", "A", "B", "B/A", "95 % of B/A");
+        text += fmt::format(compare_line, "", "row", "figure", "A", "B", "B/A", "95 % of B/A");
     }
     for (const Difference& difference : comparison.differences) {
         text += line_of(difference);

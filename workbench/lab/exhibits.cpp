@@ -11,6 +11,7 @@
 #include "lab/room_view.h"
 #include "lab/scene_outline.h"
 #include "lab/scene_picture.h"
+#include "lab/scene_trees.h"
 #include "lab/tree_cells.h"
 #include "render/render_report.h"
 
@@ -25,7 +26,6 @@ namespace coppice::lab {
 
 namespace {
 
-constexpr double all_percent = 100.0;
 constexpr std::uint64_t seed = 1;
 constexpr std::size_t most_cells = 1000;  // of a level: more would hide each other
 

@@ -26,7 +26,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int format_version = 3;
+constexpr int journal_version = 3;
 
 [[noreturn]] void fail(const std::filesystem::path& path, const char* what) {
     throw file_error(ErrorCode::io, path.string(),
@@ -185,7 +185,7 @@ Journal Journal::begin(const ExperimentOptions& options, const std::vector<std::
 
 void Journal::make_file() {
     record_ = record_of(record_.options, record_.command);
-    const json head{{"format", format_version}, {"record", record_}};
+    const json head{{"format", journal_version}, {"record", record_}};
     std::error_code error;
     std::filesystem::create_directories(record_.options.out,
                                         error);  // write_file() says what is wrong
@@ -199,7 +199,7 @@ Journal Journal::open(const std::filesystem::path& folder) {
     const std::size_t head_end = std::min(text.find('\n'), text.size());
     try {
         const json head = json::parse(text.substr(0, head_end));
-        if (head.at("format") != format_version) {
+        if (head.at("format") != journal_version) {
             throw file_error(ErrorCode::parse, path.string(), "is of another version of coppice");
         }
         Journal journal(path, head.at("record").get<ExperimentRecord>());

@@ -17,7 +17,7 @@ namespace coppice::lab {
 
 namespace {
 
-constexpr const char* line_format = "  {:<26} {:>6} {:>9} {:>8} {:>8} {:>8} {:>9}  {}\n";
+constexpr const char* ray_line = "  {:<26} {:>6} {:>9} {:>8} {:>8} {:>8} {:>9}  {}\n";
 
 std::string number_text(double value) {
     if (!std::isfinite(value)) return "-";
@@ -63,7 +63,7 @@ std::string ray_counts(const std::vector<RayFigures>& rays) {
 }
 
 std::string tree_lines(const SceneResult& scene, const ImageRace& race) {
-    std::string text = fmt::format(line_format, "", "%", "cost", "nodes", "leaves", "tests",
+    std::string text = fmt::format(ray_line, "", "%", "cost", "nodes", "leaves", "tests",
                                    "ns a ray", "fastest, with its building");
     for (std::size_t i = 0; i < race.trees.size(); ++i) {
         const RateSummary& summary = *race.trees[i].summary;
@@ -73,7 +73,7 @@ std::string tree_lines(const SceneResult& scene, const ImageRace& race) {
         };
         const auto span = std::find_if(race.fastest.begin(), race.fastest.end(),
                                        [&](const BestSpan& best) { return best.index == i; });
-        text += fmt::format(line_format, tree_name(summary), summary.sample_percent,
+        text += fmt::format(ray_line, tree_name(summary), summary.sample_percent,
                             number_text(summary.sah_cost.mean), step_text(&MeanSteps::nodes),
                             step_text(&MeanSteps::leaves), step_text(&MeanSteps::primitives),
                             number_text(summary.ray_nanoseconds->mean),

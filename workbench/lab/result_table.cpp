@@ -56,7 +56,7 @@ std::string relative_text(double relative) {
 }
 
 /// Seven columns at most, down to a hundredth of a millisecond.
-std::string seconds_text(double seconds) {
+std::string tree_seconds(double seconds) {
     return fmt::format("{:.{}f}", seconds, seconds < 0.01 ? 5 : seconds < 1000.0 ? 3 : 0);
 }
 
@@ -72,14 +72,14 @@ std::string confidence_text(const RateSummary& summary) {
                        reach_text(summary.relative_time));
 }
 
-constexpr const char* line_format =
+constexpr const char* result_line =
     "{:1} {:>5} {:>9} {:>9} {:>6} {:>10} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>9} {:>8}";
 
 std::string header_line() {
-    return fmt::format(line_format, "", "", "", "", "", "", "sample", "build", "empty", "refill",
+    return fmt::format(result_line, "", "", "", "", "", "", "sample", "build", "empty", "refill",
                        "refine", "total", "", "relative") +
            '\n' +
-           fmt::format(line_format, "", "%", "nodes", "leaves", "levels", "references", "s", "s",
+           fmt::format(result_line, "", "%", "nodes", "leaves", "levels", "references", "s", "s",
                        "s", "s", "s", "s", "cost", "cost");
 }
 
@@ -89,7 +89,7 @@ std::string group_line(const Group& group, bool is_recommended) {
         return is_peer ? std::string("-") : fmt::format("{:.0f}", group.mean(value));
     };
     const auto seconds = [&](StageReport StageReports::*stage) {
-        return seconds_text(group.mean(
+        return tree_seconds(group.mean(
             [&](const ResultRow& row) { return (row.report.stages.*stage).wall_seconds; }));
     };
     const auto statistic = [](auto TreeStatistics::*member) {
@@ -99,12 +99,12 @@ std::string group_line(const Group& group, bool is_recommended) {
         group.mean([](const ResultRow& r) { return r.report.stages.wall_seconds(); });
     const double relative = group.mean([](const ResultRow& r) { return r.relative_cost; });
     return fmt::format(
-        line_format, is_recommended ? "*" : "", group.first().sample_percent,
+        result_line, is_recommended ? "*" : "", group.first().sample_percent,
         count(statistic(&TreeStatistics::node_count)),
         count(statistic(&TreeStatistics::leaf_count)), count(statistic(&TreeStatistics::max_level)),
         count(statistic(&TreeStatistics::reference_count)), seconds(&StageReports::sample),
         seconds(&StageReports::build), seconds(&StageReports::empty),
-        seconds(&StageReports::refill), seconds(&StageReports::refine), seconds_text(total),
+        seconds(&StageReports::refill), seconds(&StageReports::refine), tree_seconds(total),
         cost_text(group.mean(statistic(&TreeStatistics::sah_cost))), relative_text(relative));
 }
 

@@ -1,3 +1,4 @@
+#include "lab/seconds_text.h"
 #include "lab/tune.h"
 #include "render/render_report.h"
 
@@ -12,14 +13,8 @@ namespace {
 
 constexpr double near_share = 0.03;  // closer than medians of a few runs can tell apart, ever
 
-constexpr const char* line_format =
+constexpr const char* tune_line =
     "{:1} {:<10} {:>8} {:>9} {:>9} {:>8} {:>8} {:>8} {:>8} {:>10}  {}\n";
-
-std::string seconds_text(double seconds) {
-    if (seconds >= 1e6) return fmt::format("{:.3g}", seconds);
-    const int digits = seconds < 0.01 ? 6 : seconds < 100.0 ? 4 : 1;
-    return fmt::format("{:.{}f}", seconds, digits);
-}
 
 std::string nanoseconds_text(const std::optional<double>& seconds) {
     return seconds ? fmt::format("{:.1f}", 1e9 * *seconds) : "-";
@@ -47,7 +42,7 @@ std::string row_text(const TuneOptions& options, const TuneResult& result, std::
     const TuneRow& row = result.rows[index];
     const auto span = std::find_if(result.fastest.begin(), result.fastest.end(),
                                    [&](const BestSpan& best) { return best.index == index; });
-    return fmt::format(line_format, index == result.chosen ? "*" : "", row.method,
+    return fmt::format(tune_line, index == result.chosen ? "*" : "", row.method,
                        percent_text(row.sample_percent), seconds_text(row.time.build),
                        seconds_text(row.measured.build_cpu_seconds),
                        nanoseconds_text(row.ray_seconds[0]), nanoseconds_text(row.ray_seconds[1]),
@@ -108,9 +103,9 @@ std::string tune_table(const TuneOptions& options, const TuneResult& result) {
         result.rows[0].measured.threads == 1 ? "" : "s", options.runs,
         options.runs == 1 ? "" : "s");
     text += fmt::format("rays from {}\n", render::camera_text(result.scene.camera));
-    text += fmt::format(line_format, "", "", "", "build", "CPU", "primary", "shadow", "diffuse",
+    text += fmt::format(tune_line, "", "", "", "build", "CPU", "primary", "shadow", "diffuse",
                         "a ray", rays_text(options.ray_count), "");
-    text += fmt::format(line_format, "", "method", "sample", "s", "s", "ns", "ns", "ns", "ns", "s",
+    text += fmt::format(tune_line, "", "method", "sample", "s", "s", "ns", "ns", "ns", "ns", "s",
                         "fastest");
     for (std::size_t i = 0; i < result.rows.size(); ++i) {
         text += row_text(options, result, i);

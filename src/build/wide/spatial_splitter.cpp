@@ -79,7 +79,8 @@ struct SlabBorder {
 // The cost of a side of a split.
 float cost_of(const Box8& box, std::uint32_t count, float factor) noexcept {
     constexpr std::uint32_t block_size = wide_width;
-    return half_area(box, factor) * static_cast<float>((count + block_size - 1) / block_size);
+    const std::uint32_t blocks = (count + block_size - 1) / block_size;
+    return half_area(box, factor) * static_cast<float>(blocks);
 }
 
 // The cheapest border that has fewer references on each side than there are, where every one that

@@ -96,7 +96,7 @@ int count_lost_points(const TriangleMesh& mesh, const std::vector<Reference>& pi
     int lost = 0;
     for (std::uint32_t id = 0; id < mesh.triangles.size(); ++id) {
         const auto [a, b, c] = mesh.view().triangle(id);
-        for (std::uint32_t i = 0; i < 20; ++i) {
+        for (std::uint64_t i = 0; i < 20; ++i) {
             // Corners and points of edges among them.
             const auto u = static_cast<float>(random_unit(id, 2 * i));
             const float v =
