@@ -22,9 +22,8 @@ namespace coppice::lab {
 
 namespace {
 
-constexpr std::size_t enough_turns = 5;
-constexpr double enough_seconds = 0.1;  // after so many turns
-constexpr double most_seconds = 0.3;    // whatever the number of turns
+constexpr std::size_t most_turns = 7;
+constexpr double enough_seconds = 0.3;
 
 std::uint64_t count_mismatches(std::span<const Hit> hits, std::span<const Hit> expected) {
     std::uint64_t count = 0;
@@ -72,7 +71,7 @@ public:
     [[nodiscard]] int repeats() const { return repeats_; }
 
 private:
-    static constexpr double least_seconds = 0.01;
+    static constexpr double least_seconds = 0.0005;
     static constexpr int most_repeats = 1000;
 
     Run run_;
@@ -85,8 +84,7 @@ void take_turns(TimedRun<Run> run, TimedRun<Reference> reference, RayFigures& fi
     std::vector<double> seconds;
     std::vector<double> references;
     double total = 0.0;
-    while (seconds.size() < enough_turns ? seconds.empty() || total < most_seconds
-                                         : total < enough_seconds) {
+    while (seconds.size() < most_turns && (seconds.empty() || total < enough_seconds)) {
         references.push_back(reference.time());
         seconds.push_back(run.time());
         total += seconds.back() * run.repeats();
