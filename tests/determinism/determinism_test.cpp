@@ -15,6 +15,7 @@
 #include "render/render.h"
 #include "store/checksum.h"
 #include "support/isa.h"
+#include "support/effort.h"
 #include "support/more_threads.h"
 
 #include <gtest/gtest.h>
@@ -38,8 +39,10 @@ struct Way {
 
 /// Every number of threads with every instruction set, the last one twice.
 std::vector<Way> all_ways() {
+    std::vector<int> thread_counts{1, 2, 3, 8, 8};
+    thread_counts.resize(std::max(2U, static_cast<unsigned>(effort(5))));
     std::vector<Way> ways;
-    for (const int threads : {1, 2, 3, 8, 8}) {
+    for (const int threads : thread_counts) {
         for (const Isa isa : available_isas()) {
             ways.push_back({threads, isa});
         }

@@ -23,7 +23,7 @@ namespace {
 WideBvh build_cut(TriangleMeshView mesh) {
     return build_wide_bvh(
         mesh, {.sample = {.rate = 0.5},
-               .wide = {.preset = WidePreset::quality, .cell_size = 64, .sampled_from = 0}});
+               .wide = {.preset = WidePreset::balanced, .cell_size = 64, .sampled_from = 0}});
 }
 
 bool is_same(const SurfaceNeighbor& a, const SurfaceNeighbor& b) {
