@@ -7,6 +7,7 @@
 #include "coppice/geom/point_cloud.h"
 #include "coppice/io/load_mesh.h"
 
+#include "lab/memory_limit.h"
 #include "lab/protocol.h"
 #include "lab/scene_outline.h"
 #include "lab/scene_picture.h"
@@ -105,7 +106,7 @@ private:
     }
 
     void take_picture() {
-        const auto tracer = picture_tracer(mesh_.view(), options_.build.threads);
+        const auto tracer = picture_tracer(mesh_.view(), options_.build.threads, control());
         camera_ = picture_camera(mesh_.view(), *tracer);
         exhibits_.picture_camera = render::camera_text(camera_);
         exhibits_.picture = render_picture(picture_scene(), *tracer);
@@ -123,7 +124,12 @@ private:
         options.sample.sampler = sampler_;
         const PointCloudView points(points_);
         const TriangleMeshView triangles = mesh_.view();
-        return points_.empty() ? build_kd_tree(triangles, options) : build_kd_tree(points, options);
+        return points_.empty() ? build_kd_tree(triangles, options, nullptr, control())
+                               : build_kd_tree(points, options, nullptr, control());
+    }
+
+    [[nodiscard]] BuildControl control() const {
+        return limit_memory(options_.memory_limit_bytes, mesh_.view(), points_);
     }
 
     void inspect(const KdTree& full, const KdTree* other) {
