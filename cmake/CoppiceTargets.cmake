@@ -50,6 +50,18 @@ function(coppice_precompile target)
   endif()
 endfunction()
 
+# coppice_compile_together(<target>): most of what small sources take to compile is what they include.
+# Not for the library, which is to be compiled as others compile it, nor in the preset `dev`, where
+# one source changes at a time.
+set(COPPICE_TOGETHER 0 CACHE STRING "Sources of workbench, program and tests to compile as one; 0: each alone")
+function(coppice_compile_together target)
+  if(COPPICE_TOGETHER)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${COPPICE_TOGETHER})
+    # Another source's definitions are shadowed, and g++ is wrong about what it then inlines.
+    target_compile_options(${target} PRIVATE -Wno-shadow -Wno-maybe-uninitialized)
+  endif()
+endfunction()
+
 # coppice_embed(<target> <symbol> <file>): puts a file's bytes into a target, readable through
 #   extern "C" const char <symbol>_begin[], <symbol>_end[];
 function(coppice_embed target symbol file)

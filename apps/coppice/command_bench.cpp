@@ -25,7 +25,7 @@ namespace coppice::app {
 namespace {
 
 /// The options as the parser fills them in.
-struct Request {
+struct BenchRequest {
     std::vector<std::string> scenes;
     std::string json;
     lab::BenchOptions options;
@@ -93,7 +93,7 @@ void add_view(CLI::App& parser, lab::BenchOptions& options) {
               std::numeric_limits<std::int64_t>::max());
 }
 
-void run_request(Request& request, Output& output) {
+void run_request(BenchRequest& request, Output& output) {
     lab::BenchOptions& options = request.options;
     options.scenes.assign(request.scenes.begin(), request.scenes.end());
     if (!request.json.empty()) check_json_file(request.json);
@@ -123,7 +123,7 @@ Command add_bench(CLI::App& program) {
     CLI::App* parser = program.add_subcommand(
         "bench", "Measure building and tracing, in turns with Embree where there is one");
     parser->allow_extras();
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<BenchRequest>();
     add_scenes(*parser, request->scenes);
     add_who(*parser, request->options);
     add_how(*parser, request->options);
@@ -133,7 +133,7 @@ Command add_bench(CLI::App& program) {
         "Examples:\n"
         "  coppice bench scenes/dragon.obj\n"
         "  coppice bench scenes/dragon.obj --methods exact,binned --rays primary --threads 1\n"
-        "  coppice bench a.obj b.ply.gz --runs 11 --json bench.json\n"
+        "  coppice bench scenes/*.obj --runs 11 --json bench.json\n"
         "The names of methods and peers are explained by `coppice list`.");
     return {parser, [parser, request](Output& output) {
                 require_scenes(*parser, request->scenes);

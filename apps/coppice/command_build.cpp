@@ -29,7 +29,7 @@ namespace coppice::app {
 namespace {
 
 /// The options as the parser fills them in.
-struct Request {
+struct BuildRequest {
     std::vector<std::string> scenes;
     MethodRequest build;
     std::string out;
@@ -73,7 +73,7 @@ void save(const std::string& file, const AnyTree& tree, const TriangleMesh& mesh
     std::visit([&](const auto& any) { save_tree(file, any, primitives, origin); }, tree);
 }
 
-void run_request(const Request& request, Output& output) {
+void run_request(const BuildRequest& request, Output& output) {
     const Method& method = find_method(request.build.method);
     const BuildOptions options = options_of(request.build);
     const std::vector<std::filesystem::path> files(request.scenes.begin(), request.scenes.end());
@@ -119,7 +119,7 @@ void run_request(const Request& request, Output& output) {
     }
 }
 
-void check_output(const Request& request) {
+void check_output(const BuildRequest& request) {
     if (request.out.empty()) return;
     if (request.scenes.size() > 1) {
         throw UsageError(
@@ -134,7 +134,7 @@ Command add_build(CLI::App& program) {
     CLI::App* parser =
         program.add_subcommand("build", "Build a tree and show what it took and what it is like");
     parser->allow_extras();
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<BuildRequest>();
     add_scenes(*parser, request->scenes);
     add_text(*parser, {"-o,--out", "FILE", "Save the tree, for trace, render and check", ""},
              request->out);
@@ -146,7 +146,7 @@ Command add_build(CLI::App& program) {
         "  coppice build scenes/dragon.obj\n"
         "  coppice build scenes/dragon.obj --method sampled --sample 0.1%\n"
         "  coppice build scenes/dragon.obj -o dragon.cpk\n"
-        "  coppice build a.obj b.ply.gz --method exact --threads 1 --json\n"
+        "  coppice build scenes/*.obj --method exact --threads 1 --json\n"
         "The names of methods and samplers are explained by `coppice list`.");
     return {parser, [parser, request](Output& output) {
                 require_scenes(*parser, request->scenes);

@@ -25,7 +25,7 @@ namespace {
 constexpr std::size_t most_findings = 20;
 
 /// The options as the parser fills them in.
-struct Request {
+struct CheckRequest {
     std::string tree;
     std::string scene;
     bool as_json = false;
@@ -42,7 +42,7 @@ std::size_t node_count(const AnyTree& tree) {
     return std::visit([](const auto& any) { return any.nodes().size(); }, tree);
 }
 
-std::string check_text(const Request& request, const Checked& checked) {
+std::string check_text(const CheckRequest& request, const Checked& checked) {
     const SavedTree& saved = checked.saved;
     std::string text = fmt::format(
         "{}: {}{}{} of {} nodes, {} bytes, format version {}, loaded in {:.4f} s\n"
@@ -65,7 +65,7 @@ nlohmann::ordered_json options_json(const std::string& options) {
     return json.is_discarded() ? nlohmann::ordered_json(options) : json;
 }
 
-std::string check_json(const Request& request, const Checked& checked) {
+std::string check_json(const CheckRequest& request, const Checked& checked) {
     const SavedTree& saved = checked.saved;
     const bool is_kd = std::holds_alternative<KdTree>(saved.tree);
     nlohmann::ordered_json json{{"tree_file", request.tree},
@@ -89,7 +89,7 @@ std::string check_json(const Request& request, const Checked& checked) {
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
-Checked check_tree(const Request& request) {
+Checked check_tree(const CheckRequest& request) {
     lab::ProgressLine progress(stderr);
     progress.show("loading " + request.scene);
     const TriangleMesh mesh = load_mesh(request.scene);
@@ -103,7 +103,7 @@ Checked check_tree(const Request& request) {
     return checked;
 }
 
-void run_request(const Request& request, Output& output) {
+void run_request(const CheckRequest& request, Output& output) {
     const Checked checked = check_tree(request);
     output.print(request.as_json ? check_json(request, checked) : check_text(request, checked));
     if (checked.findings.empty()) return;
@@ -112,7 +112,7 @@ void run_request(const Request& request, Output& output) {
                                   is_all ? "" : "at least ", checked.findings.size()));
 }
 
-void require_files(const Request& request) {
+void require_files(const CheckRequest& request) {
     if (!request.scene.empty()) return;
     throw UsageError(
         fmt::format("check: no {} is given; example: coppice check dragon.cpk scenes/dragon.obj",
@@ -125,7 +125,7 @@ Command add_check(CLI::App& program) {
     CLI::App* parser =
         program.add_subcommand("check", "Check a saved tree: the file, its scene, every leaf");
     parser->allow_extras();
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<CheckRequest>();
     parser->add_option("TREE", request->tree)->type_name("");
     parser->add_option("SCENE", request->scene)->type_name("");
     add_switch(*parser, "--json", "Print JSON instead of text",

@@ -16,14 +16,14 @@ namespace coppice::app {
 namespace {
 
 /// The options as the parser fills them in.
-struct Request {
+struct CompareRequest {
     std::vector<std::string> files;
     std::string json;
     double tolerance_percent = 1.0;
     double time_tolerance_percent = 25.0;
 };
 
-void run_request(const Request& request, Output& output) {
+void run_request(const CompareRequest& request, Output& output) {
     if (!request.json.empty()) check_json_file(request.json);
     const lab::CompareOptions options{request.tolerance_percent / 100.0,
                                       request.time_tolerance_percent / 100.0};
@@ -47,11 +47,12 @@ Command add_compare(CLI::App& program) {
     CLI::App* parser = program.add_subcommand(
         "compare", "Show what two results differ in beyond noise; exit code 1 if B is worse");
     parser->allow_extras();
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<CompareRequest>();
     parser->add_option("A B", request->files)->type_name("");
-    add_percentage(*parser,
-                   {"--tolerance", "PERCENT", "Costs and bytes may differ by, without seeds", "1"},
-                   request->tolerance_percent);
+    add_percentage(
+        *parser,
+        {"--tolerance", "PERCENT", "Costs, steps and bytes may differ by, without seeds", "1"},
+        request->tolerance_percent);
     add_percentage(*parser, {"--time-tolerance", "PERCENT", "Times and speeds may differ by", "25"},
                    request->time_tolerance_percent);
     add_text(*parser, {"--json", "FILE", "Also write the comparison to a file", ""}, request->json);
@@ -60,8 +61,10 @@ Command add_compare(CLI::App& program) {
         "an\n"
         "experiment.\n"
         "Examples:\n"
-        "  coppice compare out/before/results.json out/after/results.json\n"
-        "  coppice compare out/before out/after --time-tolerance 50");
+        "  coppice experiment scenes/dragon.obj\n"
+        "  coppice experiment --replay out/dragon/experiment.json\n"
+        "  coppice compare out/dragon/results.json out/dragon-replay/results.json\n"
+        "  coppice compare out/dragon out/dragon-replay --time-tolerance 50");
     return {parser, [parser, request](Output& output) {
                 if (request->files.size() != 2) {
                     throw UsageError(fmt::format(

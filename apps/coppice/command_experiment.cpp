@@ -57,7 +57,7 @@ std::vector<report::SceneExhibits> make_exhibits(const lab::ExperimentOptions& o
     if (options.report_parts == lab::ReportParts::numbers) return exhibits;
     for (const lab::SceneResult& scene : results) {
         progress.show(scene.scene + ": pictures for the report");
-        exhibits.push_back(lab::make_exhibits(scene, options));
+        exhibits.push_back(lab::make_exhibits(scene, options, exhibits.size()));
     }
     return exhibits;
 }
@@ -205,7 +205,7 @@ Command add_experiment(CLI::App& program, const std::vector<std::string>& argume
         "Examples:\n"
         "  coppice experiment scenes/dragon.obj\n"
         "  coppice experiment scenes/dragon.obj --rates 100,10,1 --seeds 5\n"
-        "  coppice experiment a.obj b.ply.gz --protocols grown --primitives triangles\n"
+        "  coppice experiment scenes/*.obj --protocols grown --primitives triangles\n"
         "  coppice experiment scenes/dragon.obj --methods exact,binned,fast --rays "
         "primary,diffuse\n"
         "  coppice experiment --resume out/dragon\n"

@@ -12,6 +12,7 @@
 #include "lab/memory_limit.h"
 #include "lab/output_folder.h"
 #include "lab/progress_line.h"
+#include "lab/room_view.h"
 #include "lab/scene_names.h"
 #include "options.h"
 #include "render/develop.h"
@@ -43,7 +44,7 @@ constexpr double infinity = std::numeric_limits<double>::max();
 enum class LampWish { automatic, none, given };
 
 /// The options as the parser fills them in.
-struct Request {
+struct RenderRequest {
     std::vector<std::string> scenes;
     std::string out;
     std::string integrator{"whitted"};
@@ -59,7 +60,7 @@ struct Request {
     bool as_json = false;
 };
 
-void add_image(CLI::App& parser, Request& request) {
+void add_image(CLI::App& parser, RenderRequest& request) {
     add_text(parser, {"-o,--out", "FILE", "The image to write: .png, .exr or .pfm", ""},
              request.out);
     add_name(parser,
@@ -84,7 +85,7 @@ void add_image(CLI::App& parser, Request& request) {
     parser.get_option("--cost-scale")->default_str("by the image");
 }
 
-void add_light(CLI::App& parser, Request& request) {
+void add_light(CLI::App& parser, RenderRequest& request) {
     const auto read_lamp = [&request](const std::string& given) {
         if (given == "auto" || given == "none") {
             request.lamp_wish = given == "auto" ? LampWish::automatic : LampWish::none;
@@ -140,12 +141,28 @@ void write_image(const std::string& out, const render::Image& image, render::Dis
                    std::array{lab::OutputFile{file.filename().string(), contents}});
 }
 
+double aspect_of(const render::RenderOptions& options) {
+    return static_cast<double>(options.width) / options.height;
+}
+
+/// Throws Error(invalid_argument) if the camera that is asked for sees nothing.
+void check_camera(const RenderRequest& request, const TriangleMesh& mesh) {
+    const auto& [eye, look_at, up, fov] = request.camera;
+    if (!eye && !look_at && !up) return;
+    static_cast<void>(render::CameraRays(
+        render::frame_points(mesh.vertices, request.camera, aspect_of(request.options)),
+        request.options.width, request.options.height));
+}
+
 /// The camera and the lights for what a scene holds; tells the report of both.
-render::Lighting set_up(const Request& request, const TriangleMesh& mesh, render::Emitters emitters,
+render::Lighting set_up(const RenderRequest& request, const TriangleMesh& mesh,
+                        const render::RayTracer& tracer, render::Emitters emitters,
                         render::RenderReport& report) {
-    const double aspect = static_cast<double>(request.options.width) / request.options.height;
-    report.camera = render::frame_points(mesh.vertices, request.camera, aspect);
+    const lab::ChosenCamera chosen =
+        lab::choose_camera(mesh.view(), tracer, request.camera, aspect_of(request.options));
+    report.camera = chosen.camera;
     report.is_camera_chosen = !request.camera.eye;
+    report.is_camera_inside = chosen.is_inside;
     report.is_lamp_chosen = request.lamp_wish == LampWish::automatic;
     report.sky = request.sky;
     const bool has_lamp =
@@ -168,7 +185,7 @@ double default_ao_distance(const Aabb& box) {
 }
 
 /// A tree built for the mesh, or loaded; tells the report which and how long it took.
-std::unique_ptr<render::RayTracer> make_tree(const Request& request, TriangleMeshView mesh,
+std::unique_ptr<render::RayTracer> make_tree(const RenderRequest& request, TriangleMeshView mesh,
                                              render::RenderReport& report,
                                              lab::ProgressLine& progress) {
     if (request.tree.empty()) {
@@ -195,7 +212,7 @@ std::unique_ptr<render::RayTracer> make_tree(const Request& request, TriangleMes
 }
 
 /// Loads, builds and traces; the report has all but where the image is.
-render::RenderResult render_scene(const Request& request, render::RenderReport& report,
+render::RenderResult render_scene(const RenderRequest& request, render::RenderReport& report,
                                   lab::ProgressLine& progress) {
     progress.show(report.scene + ": loading");
     LoadReport loaded;
@@ -209,17 +226,14 @@ render::RenderResult render_scene(const Request& request, render::RenderReport& 
     report.triangle_count = mesh.view().size();
     report.warnings = attributes.warnings;
 
-    const render::Lighting lighting =
-        set_up(request, mesh, render::Emitters(mesh.view(), attributes), report);
     report.integrator_options = request.integrator_options;
     if (report.integrator_options.ao_distance == 0.0) {
         report.integrator_options.ao_distance = default_ao_distance(bounds_of(mesh.vertices));
     }
-    // A camera that sees nothing is found out before the build.
-    static_cast<void>(
-        render::CameraRays(report.camera, request.options.width, request.options.height));
-
+    check_camera(request, mesh);  // before the build
     const auto tracer = make_tree(request, mesh.view(), report, progress);
+    const render::Lighting lighting =
+        set_up(request, mesh, *tracer, render::Emitters(mesh.view(), attributes), report);
     const render::View view{tracer.get(), mesh.view(), &attributes, &lighting};
     const auto integrator =
         render::find_integrator(request.integrator).make(report.integrator_options);
@@ -244,7 +258,7 @@ void tell(const render::RenderReport& report, bool as_json, Output& output) {
     output.print(render::render_text(report) + fmt::format("written: {}\n", report.output));
 }
 
-void check_request(const CLI::App& parser, Request& request) {
+void check_request(const CLI::App& parser, RenderRequest& request) {
     require_scenes(parser, request.scenes);
     if (request.scenes.size() > 1) {
         throw UsageError(
@@ -260,7 +274,7 @@ void check_request(const CLI::App& parser, Request& request) {
     }
 }
 
-void run_request(const Request& request, Output& output) {
+void run_request(const RenderRequest& request, Output& output) {
     check_output(request.out);
     render::RenderReport report;
     report.scene = lab::scene_names(std::array{std::filesystem::path(request.scenes.front())})[0];
@@ -304,8 +318,8 @@ void run_request(const Request& request, Output& output) {
 Command add_render(CLI::App& program) {
     CLI::App* parser = program.add_subcommand("render", "Make a picture of a scene");
     parser->allow_extras();
-    const auto request = std::make_shared<Request>();
-    add_scenes(*parser, request->scenes);
+    const auto request = std::make_shared<RenderRequest>();
+    add_scenes(*parser, request->scenes)->type_name("");
     add_image(*parser, *request);
     add_camera(*parser, request->camera);
     add_light(*parser, *request);
@@ -316,9 +330,12 @@ Command add_render(CLI::App& program) {
     parser->footer(
         "Examples:\n"
         "  coppice render scenes/dragon.obj -o dragon.png\n"
-        "  coppice render room.obj -o room.exr --integrator path --spp 256 --size 1920x1080\n"
+        "  coppice render scenes/dragon.obj -o dragon.exr --integrator path --spp 64 --size "
+        "1920x1080\n"
+        "  coppice render scenes/dragon.obj -o near.png --eye=-0.1,0.2,0.4 --look-at=0,0.1,0 --fov "
+        "30\n"
+        "  coppice build scenes/dragon.obj -o dragon.cpk\n"
         "  coppice render scenes/dragon.obj -o dragon.png --tree dragon.cpk\n"
-        "  coppice render dragon.obj -o near.png --eye=-0.1,0.2,0.4 --look-at=0,0.1,0 --fov 30\n"
         "The camera that is chosen is printed as options, to go on from.");
     return {parser, [parser, request](Output& output) {
                 check_request(*parser, *request);

@@ -25,7 +25,7 @@ namespace coppice::app {
 namespace {
 
 /// The options as the parser fills them in.
-struct Request {
+struct TraceRequest {
     std::vector<std::string> scenes;
     MethodRequest build;
     std::string tree;
@@ -72,7 +72,7 @@ void fail_if_wrong(const std::vector<lab::TraceScene>& scenes) {
     if (wrong > 0) throw CheckFailed(fmt::format("{} of {} rays are wrong", wrong, all));
 }
 
-void run_request(Request& request, Output& output) {
+void run_request(TraceRequest& request, Output& output) {
     lab::TraceOptions& options = request.options;
     options.scenes.assign(request.scenes.begin(), request.scenes.end());
     options.tree = request.tree;
@@ -107,7 +107,7 @@ Command add_trace(CLI::App& program) {
     CLI::App* parser = program.add_subcommand(
         "trace", "Trace rays: how fast, what they visit, and whether all hits are right");
     parser->allow_extras();
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<TraceRequest>();
     add_scenes(*parser, request->scenes);
     add_rays(*parser, request->options);
     add_name(*parser,
@@ -126,8 +126,9 @@ Command add_trace(CLI::App& program) {
         "Examples:\n"
         "  coppice trace scenes/dragon.obj\n"
         "  coppice trace scenes/dragon.obj --rays axis,grazing --check embree\n"
+        "  coppice build scenes/dragon.obj -o dragon.cpk\n"
         "  coppice trace scenes/dragon.obj --tree dragon.cpk\n"
-        "  coppice trace a.obj b.ply.gz --method sampled --count --json trace.json\n"
+        "  coppice trace scenes/*.obj --method sampled --count --json trace.json\n"
         "The names of methods and ray kinds are explained by `coppice list`.");
     return {parser, [parser, request](Output& output) {
                 require_scenes(*parser, request->scenes);

@@ -24,7 +24,7 @@ namespace coppice::app {
 namespace {
 
 /// The options as the parser fills them in.
-struct Request {
+struct TuneRequest {
     std::vector<std::string> scenes;
     std::string json;
     lab::TuneOptions options;
@@ -72,7 +72,7 @@ void add_how_to_measure(CLI::App& parser, lab::TuneOptions& options) {
               std::numeric_limits<std::int64_t>::max());
 }
 
-void run_request(Request& request, Output& output) {
+void run_request(TuneRequest& request, Output& output) {
     lab::TuneOptions& options = request.options;
     options.scenes.assign(request.scenes.begin(), request.scenes.end());
     if (!request.json.empty()) check_json_file(request.json);
@@ -99,7 +99,7 @@ Command add_tune(CLI::App& program) {
     CLI::App* parser = program.add_subcommand(
         "tune", "Tell which builder and rate to use for a number of rays, and why");
     parser->allow_extras();
-    const auto request = std::make_shared<Request>();
+    const auto request = std::make_shared<TuneRequest>();
     add_scenes(*parser, request->scenes);
     add_what_to_measure(*parser, request->options);
     add_how_to_measure(*parser, request->options);
@@ -108,7 +108,7 @@ Command add_tune(CLI::App& program) {
         "Examples:\n"
         "  coppice tune scenes/dragon.obj --rays 1e8\n"
         "  coppice tune scenes/dragon.obj --rays 1e6 --methods fast,quality --rates 0.5,1,100\n"
-        "  coppice tune room.ply --eye 1,2,3 --look-at 0,1,0 --json tune.json\n"
+        "  coppice tune scenes/dragon.obj --eye=-0.1,0.2,0.4 --look-at=0,0.1,0 --json tune.json\n"
         "The names of methods are explained by `coppice list`.");
     return {parser, [parser, request](Output& output) {
                 require_scenes(*parser, request->scenes);

@@ -46,16 +46,18 @@ wide::Top build_top(std::span<const Reference> references, const Sample& sample,
 
 // Cells by centroids; without a sample one cell of everything.
 wide::Cells make_object_cells(TriangleMeshView mesh, const wide::Plan& plan, Run& run) {
-    wide::Arena arena(mesh.size(), run.meter);
+    const auto room = static_cast<std::uint32_t>(plan.room * mesh.size());
+    wide::Arena arena(room, run.meter);
     wide::Cells cells{{}, std::move(arena), {}};
-    const std::span<Reference> references = cells.arena.first();
+    const std::span<Reference> references = cells.arena.first().first(mesh.size());
     begin_stage(run.progress, 0.2);
     wide::make_references(mesh, references);
     const std::uint32_t count = mesh.size();
     run.report.sample_count = sample_count(count, plan.sampling.rate);
     if (run.report.sample_count == count) {
         run.report.stages.sample = run.clock.lap(count);
-        cells.ranges.push_back({.begin = 0, .end = count, .buffer = 0});
+        cells.ranges.push_back(
+            {.begin = 0, .end = count, .buffer = 0, .spare_above = room - count});
         return cells;
     }
     const Sample sample = draw_sample(wide::ReferenceSet(references), plan.sampling);
@@ -104,7 +106,7 @@ WideBvh run_pipeline(TriangleMeshView mesh, const BuildOptions& options, BuildRe
         plan.by_planes ? make_kd_cells(mesh, plan, run) : make_object_cells(mesh, plan, run);
     begin_stage(progress, plan.by_planes ? 0.46 : 0.6);
     wide::measure_cells(cells, run.kernels);
-    wide::GrownTree grown = wide::grow_wide(cells, run.kernels, progress);
+    wide::GrownTree grown = wide::grow_wide(cells, mesh, run.kernels, progress);
     const MeteredBytes part_bytes(&run.meter, byte_count(grown.root));
     begin_stage(progress, 0.06);
     WideBvh tree =

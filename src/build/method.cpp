@@ -69,7 +69,8 @@ BuildOptions sweep() {
 
 template <WidePreset preset>
 BuildOptions wide() {
-    return {.sample = {.rate = 0.01, .sampler = "weighted"}, .wide = {.preset = preset}};
+    const double rate = preset == WidePreset::quality ? 1.0 : 0.01;
+    return {.sample = {.rate = rate, .sampler = "weighted"}, .wide = {.preset = preset}};
 }
 
 constexpr std::array methods{

@@ -10,10 +10,11 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr Plane any_plane{Axis::y, 2.5F};
+constexpr Plane split_plane{Axis::y, 2.5F};
 
-TreePart leaf_of(std::vector<std::uint32_t> ids) {
+TreePart leaf_of(const std::vector<std::uint32_t>& ids) {
     std::vector<Fragment> fragments;
+    fragments.reserve(ids.size());
     for (const std::uint32_t id : ids) {
         fragments.push_back({Aabb{}, id});
     }
@@ -25,7 +26,7 @@ TreePart leaf_of(std::vector<std::uint32_t> ids) {
 // An inner node over the leaves {id, id + 1} and {}, in one piece.
 TreePart pair_of(std::uint32_t id) {
     Subtree tree;
-    const std::uint32_t lower = make_inner(tree, 0, any_plane, PlanarSide::above);
+    const std::uint32_t lower = make_inner(tree, 0, split_plane, PlanarSide::above);
     make_leaf(tree, lower, std::vector<Fragment>{{Aabb{}, id}, {Aabb{}, id + 1}});
     make_leaf(tree, lower + 1, {});
     return TreePart(std::move(tree));
@@ -38,7 +39,7 @@ TEST(TreePart, IsAnEmptyLeafAtFirst) {
 }
 
 TEST(TreePart, CountsWhatItHolds) {
-    const TreePart part(any_plane, PlanarSide::below, pair_of(1), leaf_of({7}));
+    const TreePart part(split_plane, PlanarSide::below, pair_of(1), leaf_of({7}));
     EXPECT_EQ(part.node_count(), 5U);
     EXPECT_EQ(part.reference_count(), 3U);
 }
@@ -47,13 +48,13 @@ TEST(Assemble, PutsPiecesInOrder) {
     const Plane root{Axis::x, 1.0F};
     const Subtree whole =
         assemble(TreePart(root, PlanarSide::below, pair_of(1),
-                          TreePart(any_plane, PlanarSide::below, leaf_of({8, 9}), pair_of(5))));
+                          TreePart(split_plane, PlanarSide::below, leaf_of({8, 9}), pair_of(5))));
     EXPECT_THAT(whole.nodes, ElementsAre(KdNode::make_inner(root, PlanarSide::below, 1),
-                                         KdNode::make_inner(any_plane, PlanarSide::above, 3),
-                                         KdNode::make_inner(any_plane, PlanarSide::below, 5),
+                                         KdNode::make_inner(split_plane, PlanarSide::above, 3),
+                                         KdNode::make_inner(split_plane, PlanarSide::below, 5),
                                          KdNode::make_leaf(0, 2), KdNode::make_leaf(2, 0),
                                          KdNode::make_leaf(2, 2),
-                                         KdNode::make_inner(any_plane, PlanarSide::above, 7),
+                                         KdNode::make_inner(split_plane, PlanarSide::above, 7),
                                          KdNode::make_leaf(4, 2), KdNode::make_leaf(6, 0)));
     EXPECT_THAT(whole.references, ElementsAre(1, 2, 8, 9, 5, 6));
 }
@@ -62,14 +63,14 @@ TEST(Assemble, KeepsWhatTheSampleHeld) {
     Subtree leaf;
     leaf.nodes[0] = KdNode::make_leaf(0, 0, SampleContent::none);
     const Subtree whole =
-        assemble(TreePart(any_plane, PlanarSide::below, leaf_of({1}), TreePart(std::move(leaf))));
+        assemble(TreePart(split_plane, PlanarSide::below, leaf_of({1}), TreePart(std::move(leaf))));
     EXPECT_EQ(whole.nodes[2].in_sample(), SampleContent::none);
 }
 
 TEST(BuildBoth, IsTheSameInParallel) {
     const auto build = [](std::size_t fragment_count) {
         return assemble(build_both(
-            any_plane, PlanarSide::below, fragment_count, [] { return pair_of(1); },
+            split_plane, PlanarSide::below, fragment_count, [] { return pair_of(1); },
             [] { return pair_of(4); }));
     };
     const Subtree one_by_one = build(parallel_fragment_count - 1);
@@ -81,8 +82,9 @@ TEST(BuildBoth, IsTheSameInParallel) {
 TEST(BuildBoth, PassesExceptionsOn) {
     const auto fail = []() -> TreePart { throw Error(ErrorCode::limit, "full"); };
     for (const std::size_t count : {std::size_t{1}, parallel_fragment_count}) {
-        EXPECT_THROW(static_cast<void>(build_both(any_plane, PlanarSide::below, count, fail, fail)),
-                     Error);
+        EXPECT_THROW(
+            static_cast<void>(build_both(split_plane, PlanarSide::below, count, fail, fail)),
+            Error);
     }
 }
 

@@ -89,7 +89,7 @@ expect_equal "$(ls -A twice | wc -l)" 4
 # A point cloud: points only, and it says so, unless triangles were asked for.
 printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y
 property float z\nend_header\n0 0 0\n1 2 3\n4 5 6\n' >cloud.ply
-expect_exit 0 coppice experiment cloud.ply
+expect_exit 0 coppice experiment cloud.ply --no-pictures
 expect_stderr_one_line
 expect_stderr 'cloud.ply: .*only points are run'
 expect_equal "$(cut -d, -f2 out/cloud/results.csv | sort -u)" $'points\nprimitives'

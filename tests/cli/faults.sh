@@ -32,7 +32,7 @@ expect_exit 0 eval 'cat balls.ply | coppice render - -o piped.png "${quick[@]}"'
 coppice render balls.ply -o named.png "${quick[@]}" >/dev/null
 expect_same_file piped.png named.png
 expect_exit 0 eval 'cat balls.ply | coppice check tree.cpk -'
-expect_exit 0 eval 'cat hills.obj | coppice experiment - --rates 10 --out piped'
+expect_exit 0 eval 'cat hills.obj | coppice experiment - --rates 10 --no-pictures --out piped'
 expect_file piped/results.json
 expect_exit 0 eval 'cat balls.ply | coppice trace - --size 10 --rays primary'
 failing '^coppice: /dev/stdin: empty file$' coppice info - </dev/null
@@ -53,7 +53,7 @@ for how in 'list' 'info balls.ply hills.obj' 'build balls.ply hills.obj' '--help
 done
 
 failing '^coppice: cannot write to standard output: ' \
-    eval 'coppice experiment hills.obj --rates 100 --out piped >&-' # no file takes its number
+    eval 'coppice experiment hills.obj --rates 100 --no-pictures --out piped >&-' # no file takes its number
 is_json() { python3 -c 'import json, sys; json.loads(sys.stdin.buffer.read().decode("utf-8"))'; }
 is_json <piped/results.json
 
@@ -74,7 +74,7 @@ expect_exit 0 coppice bench "$name.ply" --runs 1 --size 10 --json bench.json
 is_json <bench.json
 expect_exit 0 coppice tune "$name.ply" --runs 1 --json tune.json
 is_json <tune.json
-expect_exit 0 coppice experiment "$name.ply" --rates 50 --out "$name"
+expect_exit 0 coppice experiment "$name.ply" --rates 50 --no-pictures --out "$name"
 is_json <"$name/results.json"
 expect_exit 0 coppice compare "$name" "$name"
 
@@ -115,7 +115,7 @@ for reason in 'No space left on device' 'Read-only file system'; do
     expect "$reason" build balls.ply -o disk/a.cpk
     expect "$reason" generate terrain --triangles 10000 -o disk/a.ply
     expect "$reason" render balls.ply -o disk/a.pfm --size 200x200 --spp 1
-    expect "$reason" experiment hills.obj --out disk/results
+    expect "$reason" experiment hills.obj --no-pictures --out disk/results
     TMPDIR=disk expect "$reason" info - < <(head -c 200000 /dev/zero)
     mount -o remount,ro disk
 done

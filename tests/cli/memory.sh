@@ -50,13 +50,13 @@ expect_exit 0 coppice build balls.ply --json --memory-limit 1T
 expect_stderr_empty
 read -r preset bytes <<<"$(peak)"
 expect_equal "$preset" quality
-expect_exit 0 coppice build balls.ply --json --memory-limit $((bytes * 9 / 10))
+expect_exit 0 coppice build balls.ply --json --memory-limit $((bytes * 97 / 100))
 expect_stderr_one_line
 expect_stderr "^coppice: note: quality would take about $size of memory beside .*: fast is taken instead$"
 read -r preset less <<<"$(peak)"
 expect_equal "$preset" fast
-((less <= bytes * 9 / 10)) || fail "$less bytes"
-expect_exit 0 coppice render balls.ply -o a.png --size 40x30 --spp 1 --memory-limit $((bytes * 9 / 10))
+((less <= bytes * 97 / 100)) || fail "$less bytes"
+expect_exit 0 coppice render balls.ply -o a.png --size 40x30 --spp 1 --memory-limit $((bytes * 97 / 100))
 expect_stderr ' fast is taken instead$'
 
 for wrong in 0 -1 x 1X '' 0.1 nan inf 1e30; do
@@ -80,7 +80,7 @@ slack = float("inf") if "'"$(ldd "$COPPICE" | grep -c 'lib[at]san' || true)"'" !
 print(counted < held < 1.1 * counted + slack or (counted, held))' <<<"$stdout")" True
 
 # Little memory is an error, not a crash. Sanitizers themselves take more than any of this.
-limits=({60000..360000..20000})
+limits=({60000..360000..60000})
 [[ $(ldd "$COPPICE") != *lib[at]san* ]] || limits=()
 for kilobytes in "${limits[@]}"; do
     for method in exact sampled auto; do

@@ -15,6 +15,6 @@ else()
 endif()
 
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${work}/build -G ${generator}
-  -DCMAKE_CXX_COMPILER=${compiler} ${how})
+  -DCMAKE_CXX_COMPILER=${compiler} -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 ${how})
 run(${CMAKE_COMMAND} --build ${work}/build --target consume)
 run(${work}/build/consume)

@@ -2,6 +2,7 @@
 #include "coppice/geom/triangle_mesh.h"
 
 #include "support/meshes.h"
+#include "support/numbers.h"
 #include "support/random.h"
 #include "support/rays.h"
 
@@ -9,13 +10,9 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace coppice::test {
 namespace {
-
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 // In the plane z = 2, seen from the origin.
 constexpr Triangle triangle{Vec3f{-1, -1, 2}, Vec3f{3, -1, 2}, Vec3f{-1, 3, 2}};

@@ -1,12 +1,12 @@
 #include "coppice/geom/ray.h"
 
+#include "support/numbers.h"
+
 #include <gtest/gtest.h>
 
 namespace coppice::test {
 namespace {
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr Ray good{.origin = {1, 2, 3}, .direction = {0, 0, -1}};
 
 TEST(IsTraceable, AcceptsRaysOfAllLengths) {

@@ -91,7 +91,7 @@ TEST(ImportAnswer, ComesOverWhole) {
     EXPECT_EQ(came.attributes.normals, sent.attributes.normals);
 }
 
-std::string error_of(const ImportAnswer& answer) {
+std::string refusal_of(const ImportAnswer& answer) {
     try {
         static_cast<void>(import_answer_from(to_bytes(answer), "a.dae"));
     } catch (const Error& error) {
@@ -104,15 +104,15 @@ TEST(ImportAnswer, IsNotTrusted) {
     const std::string broken = "a.dae: Assimp broke its memory: the file is damaged";
     ImportAnswer answer = small_answer();
     answer.loaded.mesh.triangles[0][1] = 3;
-    EXPECT_EQ(error_of(answer), broken);
+    EXPECT_EQ(refusal_of(answer), broken);
     answer = small_answer();
     answer.attributes.triangle_materials = {1};
-    EXPECT_EQ(error_of(answer), broken);
+    EXPECT_EQ(refusal_of(answer), broken);
     answer = small_answer();
     answer.attributes.normals.pop_back();
-    EXPECT_EQ(error_of(answer), broken);
+    EXPECT_EQ(refusal_of(answer), broken);
     answer.set_error(file_error(ErrorCode::limit, "a.dae", "too large"));
-    EXPECT_EQ(error_of(answer), "a.dae: too large");
+    EXPECT_EQ(refusal_of(answer), "a.dae: too large");
     const std::string bytes = to_bytes(small_answer());
     for (std::size_t size = 0; size < bytes.size(); ++size) {
         EXPECT_THROW(static_cast<void>(import_answer_from(bytes.substr(0, size), "a.dae")), Error);

@@ -105,6 +105,25 @@ TEST(Compare, NamesRowsThatOneFileLacksAndWhatElseIsDifferent) {
     EXPECT_THAT(comparison_text(comparison, {}), HasSubstr("only in B: ball, points, grown, 10 %"));
 }
 
+TEST(Compare, ComparesWhatRaysTookKindByKind) {
+    json before = make_experiment(1);
+    for (json& row : before["scenes"][0]["rows"]) {
+        row.update({{"axis_mrays", 2.0}, {"axis_nodes", 20.0}, {"mismatches", 0}});
+    }
+    before["scenes"][0]["rays"] = {{"camera", {{"fov", 45}}}, {"ray_counts", {{"axis", 9}}}};
+    EXPECT_EQ(compare_results(before, before, {}).figure_count, 10U);
+    EXPECT_THAT(findings(before, changed(before, "axis_mrays", 0.5)),
+                ElementsAre("worse: ball, points, grown, 10 %: axis_mrays"));
+    EXPECT_TRUE(findings(before, changed(before, "axis_mrays", 0.9)).empty());
+    EXPECT_THAT(findings(before, changed(before, "axis_nodes", 1.1)),
+                ElementsAre("worse: ball, points, grown, 10 %: axis_nodes"));
+    json after = changed(before, "axis_nodes", 1.1);
+    after["scenes"][0]["rays"]["camera"]["fov"] = 60;  // other rays
+    const Comparison comparison = compare_results(before, after, {});
+    EXPECT_TRUE(comparison.differences.empty());
+    EXPECT_THAT(comparison.notes, ElementsAre(HasSubstr("the rays of ball")));
+}
+
 TEST(Compare, KnowsWhichWayABenchmarkGetsWorse) {
     const json row{{"scene", "ball"},       {"method", "fast"},    {"threads", 1},
                    {"build_seconds", 1.0},  {"sah_cost", nullptr}, {"bytes_per_triangle", 50.0},

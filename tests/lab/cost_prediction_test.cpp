@@ -41,6 +41,20 @@ TEST(Calibrate, FindsTheConstantsThatMadeTheTimes) {
     EXPECT_THAT(found.r_squared, Optional(DoubleNear(1.0, 1e-12)));
     EXPECT_EQ(found.count, 3U);
     EXPECT_FALSE(found.is_rank_deficient);
+    EXPECT_EQ(caution_of(found, Residual::absolute, 4), "");
+    EXPECT_NE(caution_of(found, Residual::absolute, 3), "") << "of three trees only";
+}
+
+TEST(Calibrate, TellsHowSureItIs) {
+    // X'X is diagonal: the errors are sqrt(s^2 / 2) with s^2 = 4 * 1^2 / (4 - 2).
+    const std::vector<StepObservation> noisy{{1, 0, 11}, {1, 0, 9}, {0, 1, 21}, {0, 1, 19}};
+    const Calibration found = calibrate(noisy).value();
+    EXPECT_NEAR(found.traversal, 10.0, 1e-9);
+    EXPECT_THAT(found.traversal_error, Optional(DoubleNear(1.0, 1e-9)));
+    EXPECT_THAT(found.intersection_error, Optional(DoubleNear(1.0, 1e-9)));
+    const std::vector<StepObservation> wild{{1, 0, 31}, {1, 0, 1}, {0, 1, 1}, {0, 1, 29}};
+    EXPECT_THAT(caution_of(calibrate(wild).value(), Residual::absolute, 9),
+                testing::HasSubstr("not to be used"));
 }
 
 TEST(Calibrate, IsNeverNegative) {

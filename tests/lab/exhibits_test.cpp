@@ -5,6 +5,7 @@
 
 #include "lab/experiment.h"
 #include "lab/lab_scenes.h"
+#include "lab/room_view.h"
 #include "lab/scene_outline.h"
 #include "lab/scene_picture.h"
 #include "lab/tree_cells.h"
@@ -92,11 +93,19 @@ TriangleMesh box_of(float half) {
 
 TEST(PictureCamera, StandsInsideARoomAndOutsideOfAllElse) {
     const auto eye_of = [](const TriangleMesh& mesh) {
-        return picture_camera(mesh.view(), *picture_tracer(mesh.view(), 1)).eye;
+        const auto tracer = picture_tracer(mesh.view(), 1);
+        const ChosenCamera chosen = choose_camera(mesh.view(), *tracer, {}, 1.5);
+        const Vec3f eye = chosen.camera.eye;
+        EXPECT_EQ(bounds_of(mesh.vertices).contains(eye), chosen.is_inside);
+        const Vec3f ray_eye = choose_ray_camera(mesh.view(), {}, 1).eye;
+        EXPECT_EQ(bounds_of(mesh.vertices).contains(ray_eye), chosen.is_inside);
+        return eye;
     };
     TriangleMesh room = box_of(1.0F);
     const Aabb inside = bounds_of(room.vertices);
     EXPECT_TRUE(inside.contains(eye_of(room)));
+    const render::CameraWish from_far{.eye = Vec3f{9.0F, 0.0F, 0.0F}};
+    EXPECT_EQ(choose_ray_camera(room.view(), from_far, 1).eye, *from_far.eye);
     room.triangles.erase(room.triangles.begin() + 6, room.triangles.begin() + 8);  // no ceiling
     EXPECT_FALSE(inside.contains(eye_of(room)));
     const TriangleMesh balls = make_procedural("spheres", 5000, 1);

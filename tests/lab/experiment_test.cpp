@@ -4,6 +4,7 @@
 
 #include "lab/contestant.h"
 #include "lab/lab_scenes.h"
+#include "lab/scene_rays.h"
 
 #include <gmock/gmock.h>
 
@@ -181,7 +182,7 @@ TEST(Experiment, MethodsAndSamplersAreMoreRows) {
     const TemporaryFolder folder;
     ExperimentOptions options = small_options(folder.make_scene("hills.ply", "terrain", 400));
     options.protocols = {"scaled"};
-    options.methods = {"sampled", "binned", "quality"};
+    options.methods = {"sampled", "binned", "fast"};
     options.samplers = {"uniform", "weighted"};
     options.percents = {5, 100};
     const SceneResult result = run_experiment(options).at(0);
@@ -191,7 +192,7 @@ TEST(Experiment, MethodsAndSamplersAreMoreRows) {
         EXPECT_EQ(row.report.options.sample.rate,
                   row.sampler.empty() ? 1.0 : row.sample_percent / 100.0);
     }
-    // `binned` does not sample, `quality` is over triangles, so few of which it does not sample.
+    // `binned` does not sample, `fast` is over triangles, so few of which it does not sample.
     EXPECT_THAT(keys, testing::ElementsAre(
                           "points scaled 1 5 uniform", "points scaled 1 100 uniform",
                           "points scaled 1 5 weighted", "points scaled 1 100 weighted",
@@ -202,8 +203,8 @@ TEST(Experiment, MethodsAndSamplersAreMoreRows) {
                           "triangles scaled 1 100 weighted", "triangles sampled 1 5 uniform",
                           "triangles sampled 1 100 uniform", "triangles sampled 1 5 weighted",
                           "triangles sampled 1 100 weighted", "triangles binned 1 100 ",
-                          "triangles quality 1 100 uniform", "triangles quality 1 100 weighted"));
-    EXPECT_EQ(result.knees.size(), 10U) << "by kind, builder and sampler, where there is one";
+                          "triangles fast 1 100 uniform"));
+    EXPECT_EQ(result.knees.size(), 8U) << "by kind, builder and sampler, where there are rates";
 }
 
 TEST(Experiment, AMethodKeepsItsOwnSampler) {
@@ -254,6 +255,21 @@ TEST(Experiment, RaysAreTracedThroughTreesOfTriangles) {
     // Five sampled per cent end in larger leaves than all.
     EXPECT_GT(result.rows.at(3).rays.at(2).steps->primitives,
               result.rows.at(2).rays.at(2).steps->primitives);
+}
+
+TEST(Experiment, TimesOfRaysAreWithoutTheMachinesDrift) {
+    const auto row_of = [](double wall, double reference) {
+        ResultRow row;
+        row.rays.push_back({.rays = 9, .wall_seconds = wall, .reference_seconds = reference});
+        return row;
+    };
+    // While the second one was traced, everything took twice as long.
+    std::vector<ResultRow> rows{row_of(4.0, 1.0), row_of(8.0, 2.0), row_of(3.0, 1.0)};
+    remove_drift(rows);
+    EXPECT_EQ(rows[0].rays[0].wall_seconds, 4.0);
+    EXPECT_EQ(rows[1].rays[0].wall_seconds, 4.0);
+    EXPECT_EQ(rows[2].rays[0].wall_seconds, 3.0);
+    EXPECT_EQ(drift_range(rows), std::pair(1.0, 2.0));
 }
 
 TEST(Experiment, PointCloudRunsPointsOnlyAndSaysSo) {

@@ -89,8 +89,8 @@ TEST(Journal, ARunThatWasCutShortEndsWithTheSameRows) {
 
     // All is there now: nothing is built, and everything is the same to the bit.
     Journal third = Journal::open(options.out);
-    // Four trees by `fast` are no rows: so few triangles are not sampled.
-    EXPECT_EQ(third.row_count(), resumed[0].rows.size() + 4);
+    // Six trees by `fast` are no rows: so few triangles are not sampled, by no sampler.
+    EXPECT_EQ(third.row_count(), resumed[0].rows.size() + 6);
     const auto again = run_experiment(third.options(), observer_of(third));
     EXPECT_EQ(csv_text(again, options.rays), csv_text(resumed, options.rays));
     third.remove();

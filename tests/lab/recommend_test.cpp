@@ -33,8 +33,11 @@ TEST(FindKnees, OneForEachKindAndProtocolInOrder) {
         make_row("fixed", 100, 1, 1.0, 1.0), make_row("fixed", 50, 1, 1.1, 0.3),
         make_row("fixed", 1, 1, 40.0, 0.1),  make_row("grown", 100, 1, 1.0, 1.0),
         make_row("grown", 50, 1, 1.0, 0.9),  make_row("grown", 1, 1, 1.0, 0.8)};
-    rows.push_back(rows.back());
-    rows.back().primitives = "triangles";
+    for (const double percent : {100.0, 10.0}) {
+        rows.push_back(make_row("grown", percent, 1, 1.0, 0.01 * percent));
+        rows.back().primitives = "triangles";
+    }
+    rows.push_back(make_row("alone", 100, 1, 1.0, 1.0));  // nothing to choose from
     const auto recommended = knees_of(rows);
     ASSERT_EQ(recommended.size(), 3U);
     EXPECT_EQ(recommended[0].protocol, "fixed");
@@ -84,6 +87,8 @@ TEST(Recommend, IsTheSmallestSampleThatIsSurelyWithinTheTolerance) {
     EXPECT_EQ(recommended[0].protocol, "grown");
     EXPECT_EQ(recommended[0].chosen.percent, 10);
     EXPECT_NEAR(recommended[0].chosen.cost, 1.005, 1e-12);
+    EXPECT_TRUE(recommended[0].saves_time());
+    EXPECT_FALSE(recommend(summaries, 0.0)[0].saves_time()) << "the full tree";
     EXPECT_EQ(recommend(summaries, 0.031)[0].chosen.percent, 1);
     EXPECT_EQ(recommend(summaries, 0.0)[0].chosen.percent, 100);
     // The mean of the first seed alone, 0.995, is within: there is nothing to doubt it by.

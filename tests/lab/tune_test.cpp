@@ -53,6 +53,14 @@ TEST(Tune, SaysInOneSentenceWhatToUseAndWhy) {
                 HasSubstr("within 3 % of it, which is noise: `balanced` from a sample of 10 %."));
 }
 
+TEST(Tune, KnowsByTheScatterOfRunsWhatIsNoise) {
+    TuneResult result = make_result(2);
+    const TuneOptions options{.ray_count = 1.2e7};
+    EXPECT_THAT(tune_sentence(options, result), Not(HasSubstr("noise")));
+    result.rows[2].measured.scatter = 0.1;
+    EXPECT_THAT(tune_sentence(options, result), HasSubstr("within 10 % of it, which is noise"));
+}
+
 TEST(Tune, SaysSoWhereNothingElseIsBetter) {
     TuneResult result = make_result(0);
     result.fastest.resize(1);

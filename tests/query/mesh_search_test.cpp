@@ -7,6 +7,7 @@
 
 #include "query/query_points.h"
 #include "support/meshes.h"
+#include "support/numbers.h"
 #include "support/scene_matrix.h"
 
 #include <gtest/gtest.h>
@@ -17,9 +18,6 @@
 
 namespace coppice::test {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 // Cells by planes, so small that many triangles are in several.
 WideBvh build_cut(TriangleMeshView mesh) {

@@ -6,6 +6,7 @@
 
 #include "query/query_points.h"
 #include "support/meshes.h"
+#include "support/numbers.h"
 #include "support/scene_matrix.h"
 
 #include <gtest/gtest.h>
@@ -17,9 +18,6 @@
 
 namespace coppice::test {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 testing::AssertionResult are_same(const std::vector<Neighbor>& found,
                                   const std::vector<Neighbor>& expected) {

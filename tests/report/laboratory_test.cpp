@@ -65,16 +65,17 @@ json traced_scene() {
                                       {"residuals", "absolute"},
                                       {"traversal_nanoseconds", 2.5},
                                       {"r_squared", 0.9},
-                                      {"is_rank_deficient", true}}};
+                                      {"traversal_error", 0.25},
+                                      {"caution", "rank-deficient: <"}}};
     return scene;
 }
 
-Series series_of(const json& scene) {
+Series traced_series(const json& scene) {
     return collect_series({{"scenes", {scene}}}).at(0);
 }
 
 TEST(Laboratory, SeriesHaveOnlyTreesWhoseCostsCompare) {
-    const Series series = series_of(traced_scene());
+    const Series series = traced_series(traced_scene());
     EXPECT_THAT(series.protocols(), testing::ElementsAre("grown"));
     EXPECT_EQ(series.points.size(), 3U);
 }
@@ -83,7 +84,7 @@ TEST(Laboratory, ASamplerOfItsOwnIsALineOfItsOwn) {
     json scene = traced_scene();
     scene["rows"][2]["sampler"] = "weighted";
     scene["details"][2]["sampler"] = "weighted";
-    const Series series = series_of(scene);
+    const Series series = traced_series(scene);
     EXPECT_THAT(series.protocols(), testing::ElementsAre("grown", "grown, weighted"));
     EXPECT_NE(series.find("grown, weighted", 1.0), nullptr);
 }
@@ -97,7 +98,7 @@ TEST(Laboratory, ChartsHaveTheirPoints) {
     const auto starts =
         std::ranges::count_if(winners, [](const json& value) { return value["is_start"] == true; });
     EXPECT_EQ(starts, 1) << "one change of the fastest";
-    const Series series = series_of(scene);
+    const Series series = traced_series(scene);
     EXPECT_EQ(make_decomposition_chart(scene, series, "grown")["data"]["values"].size(), 5U);
     EXPECT_EQ(find_tree_pair(series).sampled->percent, 10.0) << "the one that is recommended";
     EXPECT_EQ(make_pair_level_chart(series)["data"]["values"].size(), 4U);
@@ -109,10 +110,10 @@ TEST(Laboratory, ChartsHaveTheirPoints) {
 
 TEST(Laboratory, SaysWhatWasFound) {
     const json scene = traced_scene();
-    const std::string html = make_laboratory(scene, series_of(scene));
+    const std::string html = make_laboratory(scene, traced_series(scene));
     EXPECT_THAT(html,
                 HasSubstr("0.875 with the time of a ray, not defined with its counted steps"));
-    EXPECT_THAT(html, HasSubstr("rank-deficient"));
+    EXPECT_THAT(html, HasSubstr("rank-deficient: &lt;"));
     EXPECT_THAT(html, HasSubstr("Cost by depth, two trees side by side"));
     for (const char* id : {"hall-triangles-cost-ray-kd", "hall-triangles-image-time",
                            "hall-triangles-parts-grown", "hall-triangles-pair-levels"}) {

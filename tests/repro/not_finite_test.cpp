@@ -5,18 +5,15 @@
 #include "coppice/geom/point_cloud.h"
 
 #include "support/meshes.h"
+#include "support/numbers.h"
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <string>
 #include <vector>
 
 namespace coppice::test {
 namespace {
-
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 template <typename Build>
 std::string error_of_build(Build&& build) {
@@ -59,7 +56,7 @@ TEST(NotFinite, TrianglesWithOneNanCornerAreRefused) {
         for (const std::size_t corner : {0U, 1U, 2U}) {
             TriangleMesh bad = mesh;
             bad.vertices[3 * id + corner].y = nan;
-            bad.vertices[3 * 950].x = infinity;
+            bad.vertices[std::size_t{3} * 950].x = infinity;
             const std::string expected = "primitive " + std::to_string(id) + " has no finite box";
             EXPECT_EQ(error_of(bad.view()), expected);
             EXPECT_EQ(error_of_wide(bad.view()), expected);

@@ -4,21 +4,19 @@
 #include "coppice/build/build_tree.h"
 #include "coppice/trace/brute_force.h"
 
+#include "support/effort.h"
 #include "support/meshes.h"
+#include "support/numbers.h"
 #include "support/random.h"
 #include "support/rays.h"
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <memory>
 #include <vector>
 
 namespace coppice::test {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 class EveryIsa : public testing::TestWithParam<Isa> {
 protected:
@@ -35,7 +33,7 @@ TEST_P(EveryIsa, HasNoGapSeenFromInside) {
         }
         const WideTracer tracer = make_tracer(mesh);
         Random random(19);
-        for (int i = 0; i < 20'000; ++i) {
+        for (int i = 0; i < effort(20'000); ++i) {
             const Triangle any = mesh.view().triangle(random.below(mesh.view().size()));
             const Vec3f middle = 0.5F * any[0] + 0.5F * any[1];
             for (const Vec3f& target : {any[2], middle, offset + to_float(random.direction())}) {
@@ -86,7 +84,7 @@ std::vector<Hit> all_hits(const TriangleMesh& mesh, const Ray& ray) {
 }
 
 // Sheets above each other, three of them at one height.
-TriangleMesh make_stack() {
+TriangleMesh make_sheets() {
     TriangleMesh stack;
     for (const float height : {3.0F, 1.0F, 2.0F, 1.0F, 2.5F, 1.0F}) {
         stack =
@@ -96,7 +94,7 @@ TriangleMesh make_stack() {
 }
 
 TEST_P(EveryIsa, FindsAllHitsInOrderAndGoesOn) {
-    const TriangleMesh mesh = make_stack();
+    const TriangleMesh mesh = make_sheets();
     const WideTracer tracer = make_tracer(mesh);
     Random random(3);
     for (int i = 0; i < 200; ++i) {

@@ -12,6 +12,7 @@
 #include "lab/contestant.h"
 #include "lab/named.h"
 #include "lab/remaining_time.h"
+#include "lab/room_view.h"
 #include "lab/scene_names.h"
 
 #include <fmt/format.h>
@@ -116,7 +117,7 @@ public:
     SceneBench(Run& run, BenchScene& scene, TriangleMeshView mesh)
         : run_(run), scene_(scene), mesh_(mesh) {
         const Aabb box = bounds_of(mesh.vertices());
-        scene_.camera = render::frame_box(box, run.options.camera, 1.0);
+        scene_.camera = choose_ray_camera(mesh, run.options.camera, run.options.threads.front());
         scene_.light = render::place_light(scene_.camera, box);
         rays_[index_of(RayKind::primary)] = primary_rays(scene_.camera, run.options.size);
     }
@@ -297,7 +298,21 @@ private:
             row.mrays[index] = 1e-6 * static_cast<double>(rays_[index].size()) /
                                median(entry.trace_seconds[index]);
         }
+        row.scatter = scatter_of(entry);
         return row;
+    }
+
+    /// Of what each run took to trace all rays.
+    [[nodiscard]] static double scatter_of(const Entry& entry) {
+        std::vector<double> totals(entry.wall_seconds.size(), 0.0);
+        for (const std::vector<double>& runs : entry.trace_seconds) {
+            for (std::size_t i = 0; i < runs.size(); ++i) {
+                totals[i] += runs[i];
+            }
+        }
+        const auto [least, most] = std::minmax_element(totals.begin(), totals.end());
+        const double middle = median(totals);
+        return middle > 0.0 ? 0.5 * (*most - *least) / middle : 0.0;
     }
 
     [[nodiscard]] bool asks_for(RayKind kind) const {

@@ -45,8 +45,8 @@ void check(const BenchOptions& options) {
             "[1, 1000]");
     require(options.size >= 1 && options.size <= BenchOptions::max_size, "size", options.size,
             "[1, 8192]");
-    require(options.camera.fov > 0.0 && options.camera.fov < 180.0, "fov", options.camera.fov,
-            "(0, 180)");
+    const double fov = options.camera.fov.value_or(render::default_fov);
+    require(fov > 0.0 && fov < 180.0, "fov", fov, "(0, 180)");
 }
 
 void to_json(nlohmann::json& json, const BenchOptions& options) {
@@ -69,7 +69,7 @@ void to_json(nlohmann::json& json, const BenchOptions& options) {
             {"eye", vector_json(options.camera.eye)},
             {"look_at", vector_json(options.camera.look_at)},
             {"up", vector_json(options.camera.up)},
-            {"fov", options.camera.fov},
+            {"fov", options.camera.fov ? nlohmann::json(*options.camera.fov) : nlohmann::json()},
             {"seed", options.seed}};
     if (options.memory_limit_bytes > 0) json["memory_limit_bytes"] = options.memory_limit_bytes;
 }

@@ -35,6 +35,7 @@ struct BenchRow {
     std::optional<double> references_per_triangle;
     std::optional<double> sample_share;  ///< drawn of all primitives, in (0, 1]; not a column
     PerRayKind mrays;                    ///< million rays a second, by the median time
+    double scatter = 0.0;  ///< of the runs' tracing: half their range over the median; not a column
     std::uint64_t mismatches = 0;  ///< rays, of all kinds, that do not agree with the reference
 };
 

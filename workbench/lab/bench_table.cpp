@@ -1,4 +1,5 @@
 #include "lab/bench_results.h"
+#include "lab/seconds_text.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +12,7 @@ namespace coppice::lab {
 
 namespace {
 
-constexpr const char* line_format =
+constexpr const char* bench_line =
     "{:<14} {:>7} {:>9} {:>9} {:>9} {:>7} {:>7} {:>8} {:>7} {:>8} {:>8} {:>8} {:>10}\n";
 
 constexpr const char* ratio_format = "{:<14} {:>7} {:<14} {:>8} {:>8} {:>8} {:>8}\n";
@@ -20,12 +21,8 @@ std::string number_text(const std::optional<double>& value, int digits) {
     return value && std::isfinite(*value) ? fmt::format("{:.{}f}", *value, digits) : "-";
 }
 
-std::string seconds_text(double seconds) {
-    return fmt::format("{:.{}f}", seconds, seconds < 0.01 ? 6 : seconds < 100.0 ? 4 : 1);
-}
-
 std::string row_text(const BenchRow& row) {
-    return fmt::format(line_format, row.method, row.threads, seconds_text(row.build_seconds),
+    return fmt::format(bench_line, row.method, row.threads, seconds_text(row.build_seconds),
                        seconds_text(row.build_seconds_first), seconds_text(row.build_cpu_seconds),
                        number_text(row.bytes_per_triangle, 1),
                        number_text(row.peak_bytes_per_triangle, 1), number_text(row.sah_cost, 2),
@@ -133,10 +130,10 @@ std::string bench_table(const BenchScene& scene, std::span<const BenchRow> rows)
         scene.scene, scene.triangles, point(scene.camera.eye), point(scene.camera.look_at),
         point(scene.light), scene.ray_counts[0], scene.ray_counts[1], scene.ray_counts[2],
         scene.reference);
-    text += fmt::format(line_format, "", "", "build", "first", "CPU", "bytes/", "peak/", "",
-                        "refs/", "primary", "shadow", "diffuse", "");
-    text += fmt::format(line_format, "method", "threads", "s", "s", "s", "tri", "tri", "cost",
-                        "tri", "Mrays/s", "Mrays/s", "Mrays/s", "mismatches");
+    text += fmt::format(bench_line, "", "", "build", "first", "CPU", "bytes/", "peak/", "", "refs/",
+                        "primary", "shadow", "diffuse", "");
+    text += fmt::format(bench_line, "method", "threads", "s", "s", "s", "tri", "tri", "cost", "tri",
+                        "Mrays/s", "Mrays/s", "Mrays/s", "mismatches");
     for (const BenchRow& row : rows) {
         text += row_text(row);
     }

@@ -10,13 +10,13 @@ namespace {
 
 constexpr const char* stage_format = "  {:<8} {:>10} {:>10} {:>12} {}\n";
 
-std::string seconds_text(double seconds) {
+std::string stage_seconds(double seconds) {
     return fmt::format("{:.6f}", seconds);
 }
 
 std::string stage_text(std::string_view name, const StageReport& stage, std::string_view items) {
-    return fmt::format(stage_format, name, seconds_text(stage.wall_seconds),
-                       seconds_text(stage.cpu_seconds), stage.items, items);
+    return fmt::format(stage_format, name, stage_seconds(stage.wall_seconds),
+                       stage_seconds(stage.cpu_seconds), stage.items, items);
 }
 
 std::string stages_text(const StageReports& stages) {
@@ -26,8 +26,8 @@ std::string stages_text(const StageReports& stages) {
            stage_text("empty", stages.empty, "nodes kept") +
            stage_text("refill", stages.refill, "references") +
            stage_text("refine", stages.refine, "references") +
-           fmt::format("  {:<8} {:>10} {:>10}\n", "total", seconds_text(stages.wall_seconds()),
-                       seconds_text(stages.cpu_seconds()));
+           fmt::format("  {:<8} {:>10} {:>10}\n", "total", stage_seconds(stages.wall_seconds()),
+                       stage_seconds(stages.cpu_seconds()));
 }
 
 std::string tree_text(const BuildReport& report) {

@@ -45,6 +45,32 @@ void solve_border(const Sums& sums, Calibration& found) {
     found.intersection = by_nodes >= by_primitives ? 0.0 : sums.pt / sums.pp;
 }
 
+/// By the variance of the residuals, weighed as in the sums; of a solution on the border that of
+/// the one constant which is not 0.
+void find_errors(std::span<const StepObservation> observations, const Sums& sums, Residual residual,
+                 Calibration& found) {
+    const bool has_both = found.traversal > 0.0 && found.intersection > 0.0;
+    const std::size_t unknowns = has_both ? 2 : 1;
+    if (observations.size() < 3) return;
+    double squares = 0.0;
+    for (const StepObservation& of : observations) {
+        const double off =
+            of.nanoseconds - found.traversal * of.nodes - found.intersection * of.primitives;
+        const bool is_weighted = residual == Residual::relative && of.nanoseconds > 0.0;
+        squares += off * off / (is_weighted ? of.nanoseconds * of.nanoseconds : 1.0);
+    }
+    const double variance = squares / static_cast<double>(observations.size() - unknowns);
+    const double determinant = sums.nn * sums.pp - sums.np * sums.np;
+    if (found.traversal > 0.0) {
+        found.traversal_error =
+            std::sqrt(variance * (has_both ? sums.pp / determinant : 1.0 / sums.nn));
+    }
+    if (found.intersection > 0.0) {
+        found.intersection_error =
+            std::sqrt(variance * (has_both ? sums.nn / determinant : 1.0 / sums.pp));
+    }
+}
+
 void find_residuals(std::span<const StepObservation> observations, Calibration& found) {
     double mean = 0.0;
     for (const StepObservation& of : observations) {
@@ -79,8 +105,37 @@ std::optional<Calibration> calibrate(std::span<const StepObservation> observatio
     found.intersection = (sums.nn * sums.pt - sums.np * sums.nt) / determinant;
     const bool is_inside = found.traversal >= 0.0 && found.intersection >= 0.0;
     if (found.is_rank_deficient || !is_inside) solve_border(sums, found);
+    find_errors(observations, sums, residual, found);
     find_residuals(observations, found);
     return found;
+}
+
+std::string caution_of(const Calibration& found, Residual residual, std::size_t tree_count) {
+    constexpr double most_uncertain = 0.5;
+    constexpr std::size_t enough_trees = 4;
+    if (found.is_rank_deficient) {
+        return "rank-deficient: nodes and tests go together in all of them and cannot be told "
+               "apart";
+    }
+    if (tree_count < enough_trees) {
+        return "not to be used: of too few different trees; more --methods and --rates make more";
+    }
+    const bool is_vague = residual == Residual::absolute
+                              ? found.r_squared.value_or(0.0) < most_uncertain
+                              : found.relative_rms > most_uncertain;
+    if (is_vague) {
+        return "not to be used: the two explain the times badly; more methods and rates, more "
+               "rays (--size) or a quieter machine help";
+    }
+    if (found.traversal == 0.0 || found.intersection == 0.0) {
+        return "one of the two is 0, the least it may be: these trees differ too little to tell "
+               "nodes and tests apart";
+    }
+    if (found.traversal_error.value_or(0.0) > most_uncertain * found.traversal ||
+        found.intersection_error.value_or(0.0) > most_uncertain * found.intersection) {
+        return "one of the two is uncertain by more than half of itself";
+    }
+    return {};
 }
 
 }  // namespace coppice::lab

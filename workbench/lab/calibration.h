@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace coppice::lab {
@@ -19,6 +20,9 @@ struct StepObservation {
 struct Calibration {
     double traversal = 0.0;     ///< nanoseconds an inner node
     double intersection = 0.0;  ///< nanoseconds a primitive tested
+    /// Their standard errors; nothing for one that is 0 or for fewer than three observations.
+    std::optional<double> traversal_error;
+    std::optional<double> intersection_error;
     double rms = 0.0;           ///< of the residuals, in nanoseconds
     double relative_rms = 0.0;  ///< of the residuals as shares of their times
     /// Share of the times' variance that is explained; nothing if they do not vary.
@@ -44,5 +48,10 @@ enum class Residual {
 /// `r_squared` are of nanoseconds either way.
 [[nodiscard]] std::optional<Calibration> calibrate(std::span<const StepObservation> observations,
                                                    Residual residual = Residual::absolute);
+
+/// Why the constants that so many different trees gave should not be relied on, in a sentence;
+/// empty if nothing speaks against it.
+[[nodiscard]] std::string caution_of(const Calibration& found, Residual residual,
+                                     std::size_t tree_count);
 
 }  // namespace coppice::lab

@@ -1,16 +1,18 @@
-// Two results side by side. Trees of one seed are the same for every run, and so are their costs:
-// what scatters is the seed, hence pairs. Times scatter within a run and drift between runs, which
-// no interval from one run knows: they have a tolerance beside it.
+// Two results side by side. TreesById of one seed are the same for every run, and so are their
+// costs: what scatters is the seed, hence pairs. Times scatter within a run and drift between runs,
+// which no interval from one run knows: they have a tolerance beside it.
 
 #include "lab/compare.h"
 
 #include "coppice/base/error.h"
 
+#include "lab/ray_sets.h"
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -28,25 +30,38 @@ constexpr double least_seconds = 0.002;
 enum class Nature { cost, seconds, speed, count };
 
 struct Measure {
-    const char* key;
+    std::string key;
     Nature nature;
 };
 
-constexpr std::array experiment_measures{Measure{"sah_cost", Nature::cost},
-                                         Measure{"total_seconds", Nature::seconds}};
-constexpr std::array bench_measures{
-    Measure{"build_seconds", Nature::seconds},        Measure{"bytes_per_triangle", Nature::cost},
-    Measure{"peak_bytes_per_triangle", Nature::cost}, Measure{"sah_cost", Nature::cost},
-    Measure{"primary_mrays", Nature::speed},          Measure{"shadow_mrays", Nature::speed},
-    Measure{"diffuse_mrays", Nature::speed},          Measure{"mismatches", Nature::count}};
+std::vector<Measure> bench_measures() {
+    return {{"build_seconds", Nature::seconds},        {"bytes_per_triangle", Nature::cost},
+            {"peak_bytes_per_triangle", Nature::cost}, {"sah_cost", Nature::cost},
+            {"primary_mrays", Nature::speed},          {"shadow_mrays", Nature::speed},
+            {"diffuse_mrays", Nature::speed},          {"mismatches", Nature::count}};
+}
+
+std::vector<Measure> experiment_measures(bool with_rays) {
+    std::vector<Measure> measures{{"sah_cost", Nature::cost}, {"total_seconds", Nature::seconds}};
+    if (!with_rays) return measures;
+    for (const RayKindEntry& rays : ray_kind_registry()) {
+        const std::string kind(rays.name);
+        measures.push_back({kind + "_mrays", Nature::speed});
+        for (const char* steps : {"_nodes", "_leaves", "_primitives"}) {
+            measures.push_back({kind + steps, Nature::cost});
+        }
+    }
+    measures.push_back({"mismatches", Nature::count});
+    return measures;
+}
 
 /// The trees of one row, by seed; a benchmark's have seed 0.
-using Trees = std::map<std::uint64_t, json>;
+using TreesById = std::map<std::uint64_t, json>;
 
 /// A result's rows under their names, in its order.
 struct Table {
     std::vector<std::string> names;
-    std::map<std::string, Trees> rows;
+    std::map<std::string, TreesById> rows;
 
     void add(const std::string& name, std::uint64_t seed, const json& row) {
         if (!rows.contains(name)) names.push_back(name);
@@ -111,7 +126,7 @@ double ratio_of(double before, double after) {
     return before > 0.0 ? after / before : std::numeric_limits<double>::infinity();
 }
 
-Pairs pairs_of(const Trees& before, const Trees& after, const char* key) {
+Pairs pairs_of(const TreesById& before, const TreesById& after, const std::string& key) {
     Pairs pairs;
     for (const auto& [seed, row] : before) {
         const auto other = after.find(seed);
@@ -148,7 +163,7 @@ bool is_beyond_noise(const Difference& found, Nature nature, const CompareOption
     return is_sure && (is_cost || distance > options.time_tolerance);
 }
 
-void compare_row(const std::string& name, const Trees& before, const Trees& after,
+void compare_row(const std::string& name, const TreesById& before, const TreesById& after,
                  std::span<const Measure> measures, const CompareOptions& options,
                  Comparison& comparison) {
     for (const Measure& measure : measures) {
@@ -185,14 +200,40 @@ std::vector<std::string> find_notes(const json& before, const json& after) {
                             a.dump(), b.dump()));
         }
     }
-    const json options = before.value("options", json::object());
-    for (const auto& [key, a] : options.items()) {
+    json options = before.value("options", json::object());
+    options.update(after.value("options", json::object()));  // the keys of both
+    for (const auto& [key, ignored] : options.items()) {
         const bool is_place = key == "out" || key == "scenes" || key == "views";
+        const json a = value(before, "options", key.c_str());
         const json b = value(after, "options", key.c_str());
         if (is_place || a == b) continue;
         notes.push_back(fmt::format("options differ in {} ({}, {})", key, a.dump(), b.dump()));
     }
     return notes;
+}
+
+/// What the rays of each scene were made from; nothing of scenes that have none.
+std::map<std::string, json> ray_origins(const json& document) {
+    std::map<std::string, json> origins;
+    for (const json& scene : document["scenes"]) {
+        const json rays = scene.value("rays", json());
+        if (!rays.is_object()) continue;
+        origins[scene.value("scene", "")] = {rays.value("camera", json()),
+                                             rays.value("light", json()),
+                                             rays.value("ray_counts", json())};
+    }
+    return origins;
+}
+
+/// The scenes of both that have other rays in one than in the other.
+std::vector<std::string> scenes_of_other_rays(const json& before, const json& after) {
+    std::vector<std::string> scenes;
+    const std::map<std::string, json> others = ray_origins(after);
+    for (const auto& [scene, origin] : ray_origins(before)) {
+        const auto other = others.find(scene);
+        if (other != others.end() && other->second != origin) scenes.push_back(scene);
+    }
+    return scenes;
 }
 
 std::string names_kind(const json& document) {
@@ -218,11 +259,20 @@ Comparison compare_tables(const Table& before, const Table& after,
 
 Comparison compare_documents(const json& before, const json& after, const CompareOptions& options) {
     if (is_bench(before)) {
-        return compare_tables(bench_table(before), bench_table(after), bench_measures, options);
+        return compare_tables(bench_table(before), bench_table(after), bench_measures(), options);
     }
     const bool names_samplers = samplers_of(before).size() > 1 || samplers_of(after).size() > 1;
-    return compare_tables(experiment_table(before, names_samplers),
-                          experiment_table(after, names_samplers), experiment_measures, options);
+    const std::vector<std::string> others = scenes_of_other_rays(before, after);
+    Comparison comparison = compare_tables(experiment_table(before, names_samplers),
+                                           experiment_table(after, names_samplers),
+                                           experiment_measures(others.empty()), options);
+    if (!others.empty()) {
+        comparison.notes.push_back(
+            fmt::format("the rays of {} come from elsewhere or are others in number: what rays "
+                        "took is not compared",
+                        fmt::join(others, ", ")));
+    }
+    return comparison;
 }
 
 }  // namespace
@@ -270,7 +320,8 @@ Comparison compare_results(const json& before, const json& after, const CompareO
     if (comparison.row_count == 0) {
         throw Error(ErrorCode::invalid_argument, "the two files have no row in common");
     }
-    comparison.notes = find_notes(before, after);
+    const std::vector<std::string> notes = find_notes(before, after);
+    comparison.notes.insert(comparison.notes.begin(), notes.begin(), notes.end());
     return comparison;
 }
 

@@ -13,7 +13,7 @@ namespace coppice::lab {
 
 /// What two results may differ by before it counts, as shares of the first.
 struct CompareOptions {
-    double tolerance = 0.01;       ///< of costs and bytes, where there are no seeds; >= 0
+    double tolerance = 0.01;       ///< of costs, steps and bytes, where there are no seeds; >= 0
     double time_tolerance = 0.25;  ///< of times and speeds; >= 0
 };
 
@@ -47,9 +47,10 @@ struct Comparison {
 /// Compares two results of an experiment, or of a benchmark, row by row. A figure differs
 /// - that has several seeds in common: if 1 is outside the 95 % t interval of the mean of the
 /// ratio,
-///   paired by seed; times must differ by more than their tolerance as well;
+///   paired by seed; times and speeds must differ by more than their tolerance as well;
 /// - else: if the ratio is further from 1 than the tolerance.
-/// Times that differ by less than 2 ms are taken as equal. Of hits, one mismatch more is worse.
+/// Build times that differ by less than 2 ms are taken as equal. Of hits, one mismatch more is
+/// worse. What rays took is compared kind by kind (speed and steps), if both made the same rays.
 /// Throws Error(parse) for documents that are neither, Error(invalid_argument) if one is of another
 /// kind than the other, or if they have no row in common.
 [[nodiscard]] Comparison compare_results(const nlohmann::json& before, const nlohmann::json& after,

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* line_format = "{:<7} {:<44} {:<24} {:>12} {:>12} {:>8}  {}\n";
+constexpr const char* compare_line = "{:<7} {:<48} {:<24} {:>12} {:>12} {:>8}  {}\n";
 
 Json number_or_null(double value) {
     return std::isfinite(value) ? Json(value) : Json();
@@ -23,7 +23,7 @@ std::string interval_text(const Difference& difference) {
 }
 
 std::string line_of(const Difference& difference) {
-    return fmt::format(line_format, difference.is_worse ? "worse" : "better", difference.row,
+    return fmt::format(compare_line, difference.is_worse ? "worse" : "better", difference.row,
                        difference.measure, fmt::format("{:.6g}", difference.before),
                        fmt::format("{:.6g}", difference.after),
                        fmt::format("{:.4f}", difference.ratio), interval_text(difference));
@@ -32,8 +32,9 @@ std::string line_of(const Difference& difference) {
 std::string rule_text(const CompareOptions& options) {
     return fmt::format(
         "with several seeds in common a figure differs if 1 is outside the {} of the mean of B/A, "
-        "paired by seed, and times besides by more than {:.3g} %; else costs and bytes differ by "
-        "more than {:.3g} %, times and speeds by more than {:.3g} %; times by more than 2 ms",
+        "paired by seed, and times and speeds besides by more than {:.3g} %; else costs, steps and "
+        "bytes differ by more than {:.3g} %, times and speeds by more than {:.3g} %; build times "
+        "by more than 2 ms; of mismatches one more is worse",
         interval_name, 100.0 * options.time_tolerance, 100.0 * options.tolerance,
         100.0 * options.time_tolerance);
 }
@@ -69,7 +70,7 @@ std::string comparison_text(const Comparison& comparison, const CompareOptions& 
     }
     text += fmt::format("rule: {}\n\n", rule_text(options));
     if (!comparison.differences.empty()) {
-        text += fmt::format(line_format, "", "row", "figure", "A", "B", "B/A", "95 % of B/A");
+        text += fmt::format(compare_line, "", "row", "figure", "A", "B", "B/A", "95 % of B/A");
     }
     for (const Difference& difference : comparison.differences) {
         text += line_of(difference);

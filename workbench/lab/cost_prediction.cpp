@@ -3,6 +3,7 @@
 #include "lab/rank_correlation.h"
 
 #include <array>
+#include <set>
 
 namespace coppice::lab {
 
@@ -76,7 +77,9 @@ std::vector<FormCalibration> find_calibrations(std::span<const ResultRow> rows) 
     std::vector<FormCalibration> calibrations;
     for (const TreeForm form : measured_forms) {
         std::vector<StepObservation> observations;
+        std::set<double> costs;
         for (const ResultRow* row : traced_rows(rows, form)) {
+            costs.insert(row->report.statistics.sah_cost);
             for (const RayFigures& figures : row->rays) {
                 if (!figures.steps) continue;
                 observations.push_back(
@@ -85,7 +88,9 @@ std::vector<FormCalibration> find_calibrations(std::span<const ResultRow> rows) 
         }
         for (const Residual residual : {Residual::absolute, Residual::relative}) {
             const auto found = calibrate(observations, residual);
-            if (found) calibrations.push_back({form, residual, *found});
+            if (!found) continue;
+            calibrations.push_back(
+                {form, residual, *found, costs.size(), caution_of(*found, residual, costs.size())});
         }
     }
     return calibrations;

@@ -27,6 +27,8 @@ struct FormCalibration {
     TreeForm form = TreeForm::kd;
     Residual residual = Residual::absolute;
     Calibration found;
+    std::size_t tree_count = 0;  ///< different ones, by their cost
+    std::string caution;         ///< why not to rely on it, in a sentence; or empty
 };
 
 /// For each form of tree among the traced rows of a scene, but peers: all rays together, then kind

@@ -9,8 +9,10 @@
 
 #include "lab/memory_limit.h"
 #include "lab/protocol.h"
+#include "lab/room_view.h"
 #include "lab/scene_outline.h"
 #include "lab/scene_picture.h"
+#include "lab/scene_trees.h"
 #include "lab/tree_cells.h"
 #include "render/render_report.h"
 
@@ -25,9 +27,21 @@ namespace coppice::lab {
 
 namespace {
 
-constexpr double all_percent = 100.0;
 constexpr std::uint64_t seed = 1;
 constexpr std::size_t most_cells = 1000;  // of a level: more would hide each other
+
+/// What an inspector may take of a page.
+struct InspectorLimits {
+    OutlineLimits outline;
+    std::size_t cells = most_cells;
+};
+
+/// The limits of one of so many scenes.
+InspectorLimits limits_of(std::size_t scene_count) {
+    const std::size_t share = std::clamp<std::size_t>(scene_count, 1, most_inspected);
+    const OutlineLimits all;
+    return {{all.triangles / share, all.points / share}, most_cells / share};
+}
 
 /// Whether `candidate` is the better one to show: a smaller sample, or of equal ones the later.
 bool is_preferred(const Recommendation& candidate, const Recommendation* best) {
@@ -77,13 +91,21 @@ public:
           sampler_(scene.rows.front().sampler),
           mesh_(load_mesh(scene.file, nullptr, &attributes_)) {}
 
-    void make() {
+    /// `with_trees`: not the picture alone.
+    void make(bool with_trees) {
         const bool can_be_seen = !mesh_.triangles.empty();
         if (can_be_seen) {
             take_picture();
         } else {
             camera_ = render::frame_points(mesh_.vertices, {}, 1.0);
             exhibits_.missing = "A point cloud has no surface to take a picture of.";
+        }
+        if (!with_trees) {
+            exhibits_.missing = fmt::format(
+                "Of {} scenes on one page only the first {} have heat maps and the tree inspector: "
+                "an experiment on this scene alone shows them.",
+                options_.scenes.size(), most_inspected);
+            return;
         }
         make_points();
         const KdTree full = build(exhibits_.full);
@@ -107,7 +129,7 @@ private:
 
     void take_picture() {
         const auto tracer = picture_tracer(mesh_.view(), options_.build.threads, control());
-        camera_ = picture_camera(mesh_.view(), *tracer);
+        camera_ = choose_camera(mesh_.view(), *tracer, {}, 16.0 / 9.0).camera;
         exhibits_.picture_camera = render::camera_text(camera_);
         exhibits_.picture = render_picture(picture_scene(), *tracer);
     }
@@ -137,9 +159,10 @@ private:
         report::Inspector inspector;
         inspector.bounds = bounds_of(mesh_.vertices);
         inspector.viewpoint = {camera_.eye, camera_.look_at, camera_.up, camera_.fov};
-        inspector.outline = outline_of(mesh_);
-        inspector.full = collect_cells(full, cost, most_cells);
-        if (other != nullptr) inspector.other = collect_cells(*other, cost, most_cells);
+        const InspectorLimits limits = limits_of(options_.scenes.size());
+        inspector.outline = outline_of(mesh_, limits.outline);
+        inspector.full = collect_cells(full, cost, limits.cells);
+        if (other != nullptr) inspector.other = collect_cells(*other, cost, limits.cells);
         exhibits_.inspector = std::move(inspector);
     }
 
@@ -154,14 +177,16 @@ private:
 
 }  // namespace
 
-report::SceneExhibits make_exhibits(const SceneResult& scene, const ExperimentOptions& options) {
+report::SceneExhibits make_exhibits(const SceneResult& scene, const ExperimentOptions& options,
+                                    std::size_t place) {
     report::SceneExhibits exhibits;
     if (scene.rows.empty()) return exhibits;
     choose_trees(scene, options, exhibits);
     const Timer timer;
     try {
-        run_with_threads(options.build.threads,
-                         [&] { ExhibitMaker(scene, options, exhibits).make(); });
+        run_with_threads(options.build.threads, [&] {
+            ExhibitMaker(scene, options, exhibits).make(place < most_inspected);
+        });
     } catch (const Error& error) {
         exhibits.missing = fmt::format("Some pictures could not be made: {}.", error.what());
     } catch (const std::bad_alloc&) {

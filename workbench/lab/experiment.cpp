@@ -6,6 +6,7 @@
 
 #include "lab/builders.h"
 #include "lab/recommend.h"
+#include "lab/room_view.h"
 #include "lab/scene_names.h"
 #include "lab/scene_rays.h"
 #include "lab/scene_trees.h"
@@ -63,7 +64,8 @@ std::optional<RayOptions> view_of(const ExperimentRun& run, const SceneFile& sce
         std::find(kinds.begin(), kinds.end(), PrimitiveKind::triangles) != kinds.end();
     if (options.rays.empty() || !has_triangles) return std::nullopt;
     const Aabb box = bounds_of(mesh.vertices);
-    const render::Camera camera = render::frame_box(box, options.camera, 1.0);
+    const render::Camera camera =
+        choose_ray_camera(mesh.view(), options.camera, options.build.threads);
     return RayOptions{camera, render::place_light(camera, box), options.size, 1};
 }
 
@@ -123,6 +125,7 @@ SceneResult run_scene(ExperimentRun& run, const SceneFile& scene, const Triangle
     result.bounds = bounds_of(mesh.vertices);
     result.view = view_of(run, scene, mesh);
     run_scene_trees(run, scene, mesh, result);
+    remove_drift(result.rows);
     result.errors = find_errors(result);
     for (const std::string& error : result.errors) {
         run.note("ERROR: " + scene.name + ": " + error);

@@ -77,7 +77,7 @@ std::vector<std::string> resolved_samplers(const ExperimentOptions& options) {
 /// How many rays there are, and what is given of where they come from.
 void put_view(const ExperimentOptions& options, json& to) {
     to["size"] = options.size;
-    to["fov"] = options.camera.fov;
+    if (options.camera.fov) to["fov"] = *options.camera.fov;
     const auto put = [&](const char* key, const std::optional<Vec3f>& v) {
         if (v) to[key] = {v->x, v->y, v->z};
     };
@@ -88,7 +88,7 @@ void put_view(const ExperimentOptions& options, json& to) {
 
 void read_view(const json& from, ExperimentOptions& options) {
     from.at("size").get_to(options.size);
-    from.at("fov").get_to(options.camera.fov);
+    if (from.contains("fov")) options.camera.fov = from.at("fov").get<double>();
     const auto read = [&](const char* key) -> std::optional<Vec3f> {
         if (!from.contains(key)) return std::nullopt;
         const json& v = from.at(key);

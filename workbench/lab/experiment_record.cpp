@@ -21,7 +21,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int format_version = 1;
+constexpr int record_version = 1;
 
 }  // namespace
 
@@ -58,7 +58,7 @@ ExperimentRecord record_of(const ExperimentOptions& options,
 }
 
 void to_json(json& to, const ExperimentRecord& record) {
-    to = {{"format", format_version},
+    to = {{"format", record_version},
           {"coppice", record.program_version},
           {"git_revision", record.git_revision},
           {"command", record.command},
@@ -73,7 +73,7 @@ void to_json(json& to, const ExperimentRecord& record) {
 }
 
 void from_json(const json& from, ExperimentRecord& record) {
-    if (from.at("format") != format_version) {
+    if (from.at("format") != record_version) {
         throw Error(ErrorCode::invalid_argument, "it is of another version of coppice");
     }
     record.options = experiment_options_of(from.at("options"));

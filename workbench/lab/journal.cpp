@@ -26,7 +26,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int format_version = 2;
+constexpr int journal_version = 3;
 
 [[noreturn]] void fail(const std::filesystem::path& path, const char* what) {
     throw file_error(ErrorCode::io, path.string(),
@@ -82,6 +82,7 @@ json rays_json(const RayFigures& figures) {
     json rays{{"kind", name_of(figures.kind)},
               {"rays", figures.rays},
               {"wall_seconds", figures.wall_seconds},
+              {"reference_seconds", figures.reference_seconds},
               {"mismatches", figures.mismatches}};
     if (!figures.steps) return rays;
     rays["nodes"] = figures.steps->nodes;
@@ -96,6 +97,7 @@ RayFigures read_rays(const json& from) {
         find_named(ray_kind_registry(), from.at("kind").get<std::string>(), "kind of rays").kind;
     from.at("rays").get_to(figures.rays);
     from.at("wall_seconds").get_to(figures.wall_seconds);
+    from.at("reference_seconds").get_to(figures.reference_seconds);
     from.at("mismatches").get_to(figures.mismatches);
     if (from.contains("nodes")) {
         figures.steps = {from.at("nodes"), from.at("leaves"), from.at("primitives")};
@@ -183,7 +185,7 @@ Journal Journal::begin(const ExperimentOptions& options, const std::vector<std::
 
 void Journal::make_file() {
     record_ = record_of(record_.options, record_.command);
-    const json head{{"format", format_version}, {"record", record_}};
+    const json head{{"format", journal_version}, {"record", record_}};
     std::error_code error;
     std::filesystem::create_directories(record_.options.out,
                                         error);  // write_file() says what is wrong
@@ -197,7 +199,7 @@ Journal Journal::open(const std::filesystem::path& folder) {
     const std::size_t head_end = std::min(text.find('\n'), text.size());
     try {
         const json head = json::parse(text.substr(0, head_end));
-        if (head.at("format") != format_version) {
+        if (head.at("format") != journal_version) {
             throw file_error(ErrorCode::parse, path.string(), "is of another version of coppice");
         }
         Journal journal(path, head.at("record").get<ExperimentRecord>());

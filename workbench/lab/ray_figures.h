@@ -24,6 +24,8 @@ struct RayFigures {
     double wall_seconds = 0.0;       ///< of all rays, on all threads; a median of several runs
     std::optional<MeanSteps> steps;  ///< nothing for peers
     std::uint64_t mismatches = 0;    ///< rays whose hits are not the reference's
+    double reference_seconds = 0.0;  ///< of the reference's runs, in turns with these
+    double drift = 1.0;              ///< the reference's, of the tree: is out of wall_seconds
 
     /// Million rays a second.
     [[nodiscard]] double mrays() const { return 1e-6 * static_cast<double>(rays) / wall_seconds; }

@@ -60,11 +60,15 @@ Json calibration_json(const FormCalibration& calibration) {
         {"residuals", name_of(calibration.residual)},
         {"traversal_nanoseconds", found.traversal},
         {"intersection_nanoseconds", found.intersection},
+        {"traversal_error", number_or_null(found.traversal_error)},
+        {"intersection_error", number_or_null(found.intersection_error)},
         {"r_squared", number_or_null(found.r_squared)},
         {"rms_nanoseconds", found.rms},
         {"relative_rms", found.relative_rms},
         {"count", found.count},
+        {"tree_count", calibration.tree_count},
         {"is_rank_deficient", found.is_rank_deficient},
+        {"caution", calibration.caution},
         {"rule", "least squares, both >= 0, of nanoseconds a ray over nodes and primitives a ray"}};
 }
 
@@ -110,6 +114,8 @@ Json rays_document(const SceneResult& scene) {
         json["ray_counts"][std::string(name_of(figures.kind))] = figures.rays;
     }
     json["reference"] = SceneRays::reference_method();
+    const auto [least, most] = drift_range(scene.rows);
+    json["drift"] = {{"least", least}, {"most", most}};
     put_findings(scene, json);
     const std::vector<RateSummary> summaries = summarize_seeds(scene.rows);
     put_race(find_image_race(summaries), json);

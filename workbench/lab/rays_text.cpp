@@ -1,6 +1,7 @@
 #include "lab/rays_text.h"
 
 #include "lab/cost_prediction.h"
+#include "lab/scene_rays.h"
 #include "lab/seed_summary.h"
 #include "lab/time_to_image.h"
 
@@ -16,7 +17,7 @@ namespace coppice::lab {
 
 namespace {
 
-constexpr const char* line_format = "  {:<26} {:>6} {:>9} {:>8} {:>8} {:>8} {:>9}  {}\n";
+constexpr const char* ray_line = "  {:<26} {:>6} {:>9} {:>8} {:>8} {:>8} {:>9}  {}\n";
 
 std::string number_text(double value) {
     if (!std::isfinite(value)) return "-";
@@ -62,7 +63,7 @@ std::string ray_counts(const std::vector<RayFigures>& rays) {
 }
 
 std::string tree_lines(const SceneResult& scene, const ImageRace& race) {
-    std::string text = fmt::format(line_format, "", "%", "cost", "nodes", "leaves", "tests",
+    std::string text = fmt::format(ray_line, "", "%", "cost", "nodes", "leaves", "tests",
                                    "ns a ray", "fastest, with its building");
     for (std::size_t i = 0; i < race.trees.size(); ++i) {
         const RateSummary& summary = *race.trees[i].summary;
@@ -72,7 +73,7 @@ std::string tree_lines(const SceneResult& scene, const ImageRace& race) {
         };
         const auto span = std::find_if(race.fastest.begin(), race.fastest.end(),
                                        [&](const BestSpan& best) { return best.index == i; });
-        text += fmt::format(line_format, tree_name(summary), summary.sample_percent,
+        text += fmt::format(ray_line, tree_name(summary), summary.sample_percent,
                             number_text(summary.sah_cost.mean), step_text(&MeanSteps::nodes),
                             step_text(&MeanSteps::leaves), step_text(&MeanSteps::primitives),
                             number_text(summary.ray_nanoseconds->mean),
@@ -97,20 +98,35 @@ std::string prediction_lines(const SceneResult& scene) {
     return text;
 }
 
+std::string error_text(const std::optional<double>& error) {
+    return error ? fmt::format("{:.2g}", *error) : "-";
+}
+
+/// What turns with the reference took out of the times.
+std::string drift_line(const SceneResult& scene) {
+    constexpr double too_much = 1.5;
+    const auto [least, most] = drift_range(scene.rows);
+    const bool is_disturbed = most > too_much || least < 1.0 / too_much;
+    return fmt::format(
+        "times are medians of turns with the tree `{}`, which meanwhile took {:.2f} to {:.2f} "
+        "times as long as usual: this is taken out{}\n",
+        SceneRays::reference_method(), least, most,
+        is_disturbed ? ", but the machine is too busy for times to be relied on" : "");
+}
+
 std::string calibration_lines(const SceneResult& scene) {
     std::string text;
-    for (const auto& [form, residual, found] : find_calibrations(scene.rows)) {
+    for (const auto& [form, residual, found, tree_count, caution] : find_calibrations(scene.rows)) {
         text += fmt::format(
             "  {} trees, {} residuals: t_trav = {:.3g} ns, t_isect = {:.3g} ns; R^2 = {}, RMS = "
-            "{:.3g} ns or {:.3g} % of each, n = {}\n",
+            "{:.3g} ns or {:.3g} % of each, n = {} of {} different trees; standard errors {} and "
+            "{} "
+            "ns\n",
             name_of(form), name_of(residual), found.traversal, found.intersection,
             found.r_squared ? fmt::format("{:.4f}", *found.r_squared) : "not defined", found.rms,
-            100.0 * found.relative_rms, found.count);
-        if (found.is_rank_deficient) {
-            text +=
-                "    rank-deficient: nodes and tests go together in all of them and cannot be told "
-                "apart\n";
-        }
+            100.0 * found.relative_rms, found.count, tree_count, error_text(found.traversal_error),
+            error_text(found.intersection_error));
+        if (!caution.empty()) text += fmt::format("    {}\n", caution);
     }
     return text;
 }
@@ -124,11 +140,12 @@ std::string rays_text(const SceneResult& scene) {
     const std::vector<RateSummary> summaries = summarize_seeds(scene.rows);
     const ImageRace race = find_image_race(summaries);
     return fmt::format(
-        "{}, rays through each tree of triangles (points are not traced): {}\n{}"
+        "{}, rays through each tree of triangles (points are not traced): {}\n{}{}"
         "cost as a prediction (Spearman's rank correlation):\n{}"
-        "t_trav and t_isect of this machine (least squares, >= 0; wall clock on all threads):\n{}",
-        scene.scene, ray_counts(traced->rays), tree_lines(scene, race), prediction_lines(scene),
-        calibration_lines(scene));
+        "t_trav and t_isect of this machine (least squares, >= 0; wall clock on all "
+        "threads; the tests of a wide tree are of 8 triangles):\n{}",
+        scene.scene, ray_counts(traced->rays), tree_lines(scene, race), drift_line(scene),
+        prediction_lines(scene), calibration_lines(scene));
 }
 
 }  // namespace coppice::lab

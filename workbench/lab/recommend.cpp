@@ -13,6 +13,11 @@ struct Curve {
     std::vector<const RateSummary*> summaries;
 
     [[nodiscard]] const RateSummary& first() const { return *summaries.front(); }
+
+    /// Whether there is nothing to choose from.
+    [[nodiscard]] bool has_full_only() const {
+        return summaries.size() == 1 && first().sample_percent == 100.0;
+    }
 };
 
 std::vector<Curve> curves_of(std::span<const RateSummary> summaries) {
@@ -47,7 +52,7 @@ bool is_within(const RateSummary& summary, double tolerance) {
 std::vector<Recommendation> recommend(std::span<const RateSummary> summaries, double tolerance) {
     std::vector<Recommendation> recommended;
     for (const Curve& curve : curves_of(summaries)) {
-        if (curve.first().sampler.empty()) continue;
+        if (curve.first().sampler.empty() || curve.has_full_only()) continue;
         const RateSummary* smallest = nullptr;
         for (const RateSummary* summary : curve.summaries) {
             const bool is_smaller =
@@ -55,8 +60,8 @@ std::vector<Recommendation> recommend(std::span<const RateSummary> summaries, do
             if (is_smaller && is_within(*summary, tolerance)) smallest = summary;
         }
         if (smallest == nullptr) continue;
-        recommended.push_back(
-            {smallest->primitives, smallest->protocol, smallest->sampler, point_of(*smallest)});
+        recommended.push_back({smallest->primitives, smallest->protocol, smallest->sampler,
+                               point_of(*smallest), smallest->relative_time.interval});
     }
     return recommended;
 }
@@ -72,14 +77,14 @@ std::string recommendation_rule(double tolerance, int seed_count) {
 std::vector<Recommendation> find_knees(std::span<const RateSummary> summaries) {
     std::vector<Recommendation> knees;
     for (const Curve& curve : curves_of(summaries)) {
-        if (curve.first().sampler.empty()) continue;
+        if (curve.first().sampler.empty() || curve.summaries.size() < 2) continue;
         std::vector<KneePoint> points;
         for (const RateSummary* summary : curve.summaries) {
             points.push_back(point_of(*summary));
         }
         if (const auto knee = find_knee(points)) {
             const RateSummary& first = curve.first();
-            knees.push_back({first.primitives, first.protocol, first.sampler, *knee});
+            knees.push_back({first.primitives, first.protocol, first.sampler, *knee, {}});
         }
     }
     return knees;

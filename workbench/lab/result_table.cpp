@@ -56,7 +56,7 @@ std::string relative_text(double relative) {
 }
 
 /// Seven columns at most, down to a hundredth of a millisecond.
-std::string seconds_text(double seconds) {
+std::string tree_seconds(double seconds) {
     return fmt::format("{:.{}f}", seconds, seconds < 0.01 ? 5 : seconds < 1000.0 ? 3 : 0);
 }
 
@@ -72,14 +72,14 @@ std::string confidence_text(const RateSummary& summary) {
                        reach_text(summary.relative_time));
 }
 
-constexpr const char* line_format =
+constexpr const char* result_line =
     "{:1} {:>5} {:>9} {:>9} {:>6} {:>10} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>9} {:>8}";
 
 std::string header_line() {
-    return fmt::format(line_format, "", "", "", "", "", "", "sample", "build", "empty", "refill",
+    return fmt::format(result_line, "", "", "", "", "", "", "sample", "build", "empty", "refill",
                        "refine", "total", "", "relative") +
            '\n' +
-           fmt::format(line_format, "", "%", "nodes", "leaves", "levels", "references", "s", "s",
+           fmt::format(result_line, "", "%", "nodes", "leaves", "levels", "references", "s", "s",
                        "s", "s", "s", "s", "cost", "cost");
 }
 
@@ -89,7 +89,7 @@ std::string group_line(const Group& group, bool is_recommended) {
         return is_peer ? std::string("-") : fmt::format("{:.0f}", group.mean(value));
     };
     const auto seconds = [&](StageReport StageReports::*stage) {
-        return seconds_text(group.mean(
+        return tree_seconds(group.mean(
             [&](const ResultRow& row) { return (row.report.stages.*stage).wall_seconds; }));
     };
     const auto statistic = [](auto TreeStatistics::*member) {
@@ -99,12 +99,12 @@ std::string group_line(const Group& group, bool is_recommended) {
         group.mean([](const ResultRow& r) { return r.report.stages.wall_seconds(); });
     const double relative = group.mean([](const ResultRow& r) { return r.relative_cost; });
     return fmt::format(
-        line_format, is_recommended ? "*" : "", group.first().sample_percent,
+        result_line, is_recommended ? "*" : "", group.first().sample_percent,
         count(statistic(&TreeStatistics::node_count)),
         count(statistic(&TreeStatistics::leaf_count)), count(statistic(&TreeStatistics::max_level)),
         count(statistic(&TreeStatistics::reference_count)), seconds(&StageReports::sample),
         seconds(&StageReports::build), seconds(&StageReports::empty),
-        seconds(&StageReports::refill), seconds(&StageReports::refine), seconds_text(total),
+        seconds(&StageReports::refill), seconds(&StageReports::refine), tree_seconds(total),
         cost_text(group.mean(statistic(&TreeStatistics::sah_cost))), relative_text(relative));
 }
 
@@ -150,15 +150,25 @@ std::string section_line(const ResultRow& row, bool names_sampler) {
     return text + '\n';
 }
 
-std::string choice_lines(std::span<const Recommendation> choices, bool names_sampler) {
+/// What a recommended sample does not give.
+std::string choice_note(const Recommendation& choice) {
+    if (choice.chosen.percent == 100.0) return ": no smaller sample is good enough";
+    if (choice.saves_time()) return "";
+    return choice.chosen.time < 1.0 ? ": whether it saves time is within noise"
+                                    : ": it saves no time";
+}
+
+/// `is_rule`: these are recommended.
+std::string choice_lines(std::span<const Recommendation> choices, bool names_sampler,
+                         bool is_rule) {
     std::string text;
     for (const Recommendation& choice : choices) {
         const std::string how = names_sampler
                                     ? fmt::format("{}, {}", choice.protocol, choice.sampler)
                                     : choice.protocol;
-        text += fmt::format("  {}, {}: {} % (cost x {}, time x {})\n", choice.primitives, how,
+        text += fmt::format("  {}, {}: {} % (cost x {}, time x {}){}\n", choice.primitives, how,
                             choice.chosen.percent, relative_text(choice.chosen.cost),
-                            relative_text(choice.chosen.time));
+                            relative_text(choice.chosen.time), is_rule ? choice_note(choice) : "");
     }
     return text.empty() ? "  none\n" : text;
 }
@@ -167,8 +177,9 @@ std::string recommendation_lines(const SceneResult& scene, double tolerance, int
     const bool names_sampler = has_samplers(scene);
     return fmt::format(
         "* recommended: {}\n{}knee: the greatest saving of time per added cost (Kneedle)\n{}",
-        recommendation_rule(tolerance, seed_count), choice_lines(scene.recommended, names_sampler),
-        choice_lines(scene.knees, names_sampler));
+        recommendation_rule(tolerance, seed_count),
+        choice_lines(scene.recommended, names_sampler, true),
+        choice_lines(scene.knees, names_sampler, false));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "coppice/io/load_mesh.h"
 
 #include "lab/builders.h"
+#include "lab/confidence.h"
 #include "lab/knee.h"
 #include "lab/ray_figures.h"
 #include "lab/ray_maker.h"
@@ -73,6 +74,12 @@ struct Recommendation {
     std::string protocol;
     std::string sampler;
     KneePoint chosen;
+    std::optional<Interval> relative_time;  ///< of the mean over the seeds; nothing for one seed
+
+    /// Whether building it surely takes less time than the full tree.
+    [[nodiscard]] bool saves_time() const {
+        return (relative_time ? relative_time->high : chosen.time) < 1.0;
+    }
 };
 
 /// All that was found out about one scene.

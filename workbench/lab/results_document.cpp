@@ -42,14 +42,20 @@ Json details_json(const ResultRow& row) {
 
 Json recommendation_json(const Recommendation& recommendation, std::string_view rule,
                          std::string_view source) {
-    return {{"primitives", recommendation.primitives},
-            {"protocol", recommendation.protocol},
-            {"sampler", recommendation.sampler},
-            {"sample_percent", recommendation.chosen.percent},
-            {"relative_cost", recommendation.chosen.cost},
-            {"relative_time", recommendation.chosen.time},
-            {"rule", rule},
-            {"source", source}};
+    Json json{{"primitives", recommendation.primitives},
+              {"protocol", recommendation.protocol},
+              {"sampler", recommendation.sampler},
+              {"sample_percent", recommendation.chosen.percent},
+              {"relative_cost", recommendation.chosen.cost},
+              {"relative_time", recommendation.chosen.time},
+              {"rule", rule},
+              {"source", source}};
+    if (rule == knee_rule) return json;
+    json["saves_time"] = recommendation.saves_time();
+    if (const auto& interval = recommendation.relative_time) {
+        json["relative_time_interval"] = {interval->low, interval->high};
+    }
+    return json;
 }
 
 Json seed_mean_json(const SeedMean& measure) {

@@ -7,12 +7,15 @@
 #include "lab/room_view.h"
 
 #include "lab/scene_outline.h"
+#include "lab/scene_picture.h"
+#include "render/vector_math.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace coppice::lab {
@@ -20,7 +23,7 @@ namespace coppice::lab {
 namespace {
 
 constexpr std::size_t target_count = 512;
-constexpr double fov = 60.0;
+constexpr double room_fov = 60.0;
 constexpr double cosine_of_view = 0.77;  // 40 degrees to either side: well within such a camera
 constexpr double least_gain = 1.5;       // how much more a room shows inside than outside
 
@@ -56,11 +59,11 @@ Vec3d mean_of(const std::vector<Vec3d>& points) {
 
 /// How many points a camera at `eye` has in view that looks at `center`.
 std::size_t count_in_view(const std::vector<Vec3d>& points, Vec3d eye, Vec3d center) {
-    const auto length = [](Vec3d v) { return std::sqrt(dot(v, v)); };
     const Vec3d forward = center - eye;
     return static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [&](Vec3d point) {
         const Vec3d toward = point - eye;
-        return dot(toward, forward) > cosine_of_view * length(toward) * length(forward);
+        return dot(toward, forward) >
+               cosine_of_view * render::length(toward) * render::length(forward);
     }));
 }
 
@@ -93,10 +96,14 @@ Axis main_axis(Vec3f direction) {
     return main;
 }
 
-}  // namespace
+bool is_free(const render::CameraWish& wish) {
+    return !wish.eye && !wish.look_at;
+}
 
+/// A camera inside a mesh that is a room, nothing for any other mesh.
 std::optional<render::Camera> view_of_room(TriangleMeshView mesh, const render::RayTracer& tracer,
-                                           const render::Camera& outside) {
+                                           const render::Camera& outside,
+                                           std::optional<double> fov) {
     const std::vector<Vec3f> targets = surface_points(mesh, target_count).positions;
     const auto outside_count =
         static_cast<double>(targets_seen(tracer, targets, outside.eye).size());
@@ -110,9 +117,30 @@ std::optional<render::Camera> view_of_room(TriangleMeshView mesh, const render::
         const std::size_t count = count_in_view(seen, to_double(eye), center);
         if (count <= best_count) continue;
         best_count = count;
-        best = render::Camera{eye, to_float(center), outside.up, fov};
+        const double distance = render::length(center - to_double(eye));
+        best = render::Camera{render::in_few_digits(to_double(eye), distance),
+                              render::in_few_digits(center, distance), outside.up,
+                              fov.value_or(room_fov)};
     }
     return best;
+}
+
+}  // namespace
+
+ChosenCamera choose_camera(TriangleMeshView mesh, const render::RayTracer& tracer,
+                           const render::CameraWish& wish, double aspect) {
+    const render::Camera outside = render::frame_points(mesh.vertices(), wish, aspect);
+    const auto inside =
+        is_free(wish) ? view_of_room(mesh, tracer, outside, wish.fov) : std::nullopt;
+    return {inside.value_or(outside), inside.has_value()};
+}
+
+render::Camera choose_ray_camera(TriangleMeshView mesh, const render::CameraWish& wish,
+                                 int threads) {
+    const render::Camera outside = render::frame_box(bounds_of(mesh.vertices()), wish, 1.0);
+    if (!is_free(wish) || mesh.size() == 0) return outside;
+    const auto tracer = picture_tracer(mesh, threads);
+    return view_of_room(mesh, *tracer, outside, wish.fov).value_or(outside);
 }
 
 }  // namespace coppice::lab

@@ -4,7 +4,6 @@
 
 #include "lab/scene_picture.h"
 
-#include "lab/room_view.h"
 #include "render/develop.h"
 #include "render/encode_image.h"
 #include "render/heat_map.h"
@@ -117,11 +116,6 @@ std::unique_ptr<render::RayTracer> picture_tracer(TriangleMeshView mesh, int thr
     BuildOptions build = method.options();
     build.threads = threads;
     return render::build_tracer(method, build, mesh, nullptr, control);
-}
-
-render::Camera picture_camera(TriangleMeshView mesh, const render::RayTracer& tracer) {
-    const render::Camera outside = render::frame_points(mesh.vertices(), {}, 16.0 / 9.0);
-    return view_of_room(mesh, tracer, outside).value_or(outside);
 }
 
 report::Picture render_picture(const PictureScene& scene, const render::RayTracer& tracer) {

@@ -26,10 +26,6 @@ struct PictureScene {
 [[nodiscard]] std::unique_ptr<render::RayTracer> picture_tracer(TriangleMeshView mesh, int threads,
                                                                 const BuildControl& control = {});
 
-/// The camera that `coppice render` chooses for a mesh, or one inside if the mesh is a room, see
-/// view_of_room().
-[[nodiscard]] render::Camera picture_camera(TriangleMeshView mesh, const render::RayTracer& tracer);
-
 /// The scene as `coppice render` shows it, in 960 x 540 pixels of 4 samples.
 [[nodiscard]] report::Picture render_picture(const PictureScene& scene,
                                              const render::RayTracer& tracer);

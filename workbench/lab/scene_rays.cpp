@@ -1,5 +1,8 @@
-// A bad tree may take a hundred times as long as a good one, which would tell its time no better:
-// so runs are repeated for a time, not for a number.
+// Each tree takes turns with one and the same reference: what slows the machine down for a while
+// slows both, and how much is known from the reference's runs, all kinds of rays together, since
+// single runs scatter. Turns of all trees with each other would need all of
+// them in memory; this needs one more. A bad tree may take a hundred times as long as a good one,
+// which would tell its time no better: so runs are repeated for a time, not for a number.
 
 #include "lab/scene_rays.h"
 
@@ -11,6 +14,7 @@
 #include "lab/trace_results.h"
 
 #include <algorithm>
+#include <map>
 #include <type_traits>
 #include <utility>
 
@@ -18,8 +22,9 @@ namespace coppice::lab {
 
 namespace {
 
-constexpr std::size_t most_runs = 5;
-constexpr double enough_seconds = 0.3;
+constexpr std::size_t enough_turns = 5;
+constexpr double enough_seconds = 0.1;  // after so many turns
+constexpr double most_seconds = 0.3;    // whatever the number of turns
 
 std::uint64_t count_mismatches(std::span<const Hit> hits, std::span<const Hit> expected) {
     std::uint64_t count = 0;
@@ -39,19 +44,55 @@ MeanSteps mean_of(std::span<const TraversalCounts> counts) {
             static_cast<double>(sum.primitives) / ray_count};
 }
 
-/// The median of a few runs' wall-clock seconds.
+double median_of(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[(values.size() - 1) / 2];
+}
+
+/// Something to be timed, as many times in a row as a clock and a scheduler can tell.
 template <typename Run>
-double median_seconds(Run&& run) {
-    std::vector<double> runs;
-    double total = 0.0;
-    while (runs.size() < most_runs && (runs.empty() || total < enough_seconds)) {
-        const Timer timer;
-        run();
-        runs.push_back(timer.seconds());
-        total += runs.back();
+class TimedRun {
+public:
+    explicit TimedRun(Run run) : run_(std::move(run)) {
+        const double seconds = time();
+        if (seconds < least_seconds) {
+            repeats_ = std::clamp(static_cast<int>(least_seconds / seconds), 1, most_repeats);
+        }
     }
-    std::sort(runs.begin(), runs.end());
-    return runs[(runs.size() - 1) / 2];
+
+    /// Seconds of one.
+    [[nodiscard]] double time() {
+        const Timer timer;
+        for (int i = 0; i < repeats_; ++i) {
+            run_();
+        }
+        return timer.seconds() / repeats_;
+    }
+
+    [[nodiscard]] int repeats() const { return repeats_; }
+
+private:
+    static constexpr double least_seconds = 0.01;
+    static constexpr int most_repeats = 1000;
+
+    Run run_;
+    int repeats_ = 1;
+};
+
+/// Lets two run in turns, and notes the medians of what they take.
+template <typename Run, typename Reference>
+void take_turns(TimedRun<Run> run, TimedRun<Reference> reference, RayFigures& figures) {
+    std::vector<double> seconds;
+    std::vector<double> references;
+    double total = 0.0;
+    while (seconds.size() < enough_turns ? seconds.empty() || total < most_seconds
+                                         : total < enough_seconds) {
+        references.push_back(reference.time());
+        seconds.push_back(run.time());
+        total += seconds.back() * run.repeats();
+    }
+    figures.wall_seconds = median_of(std::move(seconds));
+    figures.reference_seconds = median_of(std::move(references));
 }
 
 }  // namespace
@@ -63,7 +104,7 @@ SceneRays::SceneRays(TriangleMeshView mesh, const RayOptions& options,
     BuildOptions build = method.options();
     build.threads = threads;
     run_with_threads(threads, [&] {
-        const TracedTree tree(mesh, method.tree, build, control);
+        const TracedTree& tree = reference_.emplace(mesh, method.tree, build, control);
         RayMaker maker(mesh, tree, options);
         for (const RayKind kind : kinds) {
             RaySet set{kind, maker.make(kind), {}};
@@ -87,7 +128,8 @@ RayFigures SceneRays::measure_set(const Tracer& tracer, const RaySet& set) const
         trace_rays(tracer, set.kind, set.rays, hits);
     }
     figures.mismatches = count_mismatches(hits, set.expected);
-    figures.wall_seconds = median_seconds([&] { trace_rays(tracer, set.kind, set.rays, hits); });
+    take_turns(TimedRun([&] { trace_rays(tracer, set.kind, set.rays, hits); }),
+               TimedRun([&] { trace_rays(*reference_, set.kind, set.rays, hits); }), figures);
     return figures;
 }
 
@@ -109,6 +151,43 @@ std::vector<RayFigures> SceneRays::measure(const Contestant& contestant) const {
         }
     });
     return all;
+}
+
+void remove_drift(std::span<ResultRow> rows) {
+    std::map<RayKind, std::vector<double>> references;
+    for (const ResultRow& row : rows) {
+        for (const RayFigures& figures : row.rays) {
+            references[figures.kind].push_back(figures.reference_seconds);
+        }
+    }
+    std::map<RayKind, double> usual;
+    for (const auto& [kind, seconds] : references) {
+        usual[kind] = median_of(seconds);
+    }
+    for (ResultRow& row : rows) {
+        double here = 0.0;
+        double usually = 0.0;
+        for (const RayFigures& figures : row.rays) {
+            here += figures.reference_seconds;
+            usually += usual[figures.kind];
+        }
+        for (RayFigures& figures : row.rays) {
+            figures.drift = here / usually;
+            figures.wall_seconds /= figures.drift;
+        }
+    }
+}
+
+std::pair<double, double> drift_range(std::span<const ResultRow> rows) {
+    std::vector<double> drifts;
+    for (const ResultRow& row : rows) {
+        for (const RayFigures& figures : row.rays) {
+            drifts.push_back(figures.drift);
+        }
+    }
+    if (drifts.empty()) return {1.0, 1.0};
+    const auto [least, most] = std::minmax_element(drifts.begin(), drifts.end());
+    return {*least, *most};
 }
 
 }  // namespace coppice::lab

@@ -5,27 +5,33 @@
 #include "lab/contestant.h"
 #include "lab/ray_figures.h"
 #include "lab/ray_maker.h"
+#include "lab/results.h"
 #include "lab/traced_tree.h"
 
+#include <optional>
 #include <span>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace coppice::lab {
 
-/// The rays of a scene, made once, for all its trees. The mesh must outlive them.
+/// The rays of a scene, made once, for all its trees, and the tree that these take turns with. The
+/// mesh must outlive them.
 class SceneRays {
 public:
-    /// Makes the rays of these kinds, from hits found through a tree by reference_method() that is
-    /// built for that and freed; its hits are what those of all trees are compared with.
-    /// Throws like RayMaker and build_wide_bvh().
+    /// Makes the rays of these kinds, from hits found through a tree by reference_method(), which
+    /// is kept: its hits and times are what those of all trees are compared with. Throws like
+    /// RayMaker and build_wide_bvh().
     SceneRays(TriangleMeshView mesh, const RayOptions& options, std::span<const RayKind> kinds,
               int threads, const BuildControl& control = {});
 
     /// Whose hits the others are compared with: a name in method_registry().
     [[nodiscard]] static std::string_view reference_method() noexcept { return "fast"; }
 
-    /// Traces all rays and measures: a counting pass, which warms up, then timed ones, of which the
-    /// median is taken. Kinds that the camera sees no surface for are left out.
+    /// Traces all rays and measures: a counting pass, which warms up, then timed ones in turns with
+    /// the reference, of which medians are taken; see remove_drift(). Kinds that the camera sees no
+    /// surface for are left out.
     [[nodiscard]] std::vector<RayFigures> measure(const TracedTree& tree) const;
 
     /// The same through a peer's structure, whose steps cannot be counted.
@@ -41,8 +47,17 @@ private:
     template <typename Tracer>
     [[nodiscard]] RayFigures measure_set(const Tracer& tracer, const RaySet& set) const;
 
+    std::optional<TracedTree> reference_;
     std::vector<RaySet> sets_;
     int threads_;
 };
+
+/// Divides the times of each row's rays by how much slower than usual the machine was meanwhile,
+/// and notes it as `drift`: what the reference took for all kinds over the sum of its medians over
+/// the rows. All rows are of one scene.
+void remove_drift(std::span<ResultRow> rows);
+
+/// The least and the most drift of all rows; 1 and 1 if there are no rays.
+[[nodiscard]] std::pair<double, double> drift_range(std::span<const ResultRow> rows);
 
 }  // namespace coppice::lab

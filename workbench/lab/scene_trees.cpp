@@ -102,13 +102,26 @@ private:
             }
             rows[static_cast<std::size_t>(place - listed.begin())] = std::move(row);
         }
-        std::copy_if(std::make_move_iterator(rows.begin()), std::make_move_iterator(rows.end()),
-                     std::back_inserter(result_.rows),
-                     [](const ResultRow& row) { return !row.scene.empty(); });
+        if (is_sampled(rows) || family.sampler == family.builder.samplers.front()) {
+            std::copy_if(std::make_move_iterator(rows.begin()), std::make_move_iterator(rows.end()),
+                         std::back_inserter(result_.rows),
+                         [](const ResultRow& row) { return !row.scene.empty(); });
+        } else if (family.seed == 1) {
+            run_.note(fmt::format("{}: {} takes no sample of it: no rows with sampler {}",
+                                  scene_.name, family.builder.name, family.sampler));
+        }
         if (left_out.empty() || family.seed > 1) return;
         run_.note(
             fmt::format("{}: {} has the same sample at {} as at another rate: no rows of these",
                         scene_.name, family.builder.name, left_out));
+    }
+
+    /// False for the wide trees of small scenes, which are the same with any sampler.
+    static bool is_sampled(std::span<const ResultRow> rows) {
+        return std::any_of(rows.begin(), rows.end(), [](const ResultRow& row) {
+            return !row.scene.empty() && (row.form != TreeForm::wide ||
+                                          row.report.sample_count < row.report.primitive_count);
+        });
     }
 
     /// Wide trees of small scenes are not sampled, and some have a least sample.

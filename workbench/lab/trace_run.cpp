@@ -13,6 +13,7 @@
 #include "lab/memory_limit.h"
 #include "lab/named.h"
 #include "lab/ray_maker.h"
+#include "lab/room_view.h"
 #include "lab/scene_names.h"
 #include "lab/trace_check.h"
 #include "lab/trace_rays.h"
@@ -60,7 +61,7 @@ public:
     SceneTrace(const Run& run, TraceScene& scene, TriangleMeshView mesh)
         : run_(run), scene_(scene), mesh_(mesh) {
         const Aabb box = bounds_of(mesh.vertices());
-        scene_.camera = render::frame_box(box, run.options.camera, 1.0);
+        scene_.camera = choose_ray_camera(mesh, run.options.camera, run.options.build.threads);
         scene_.light = render::place_light(scene_.camera, box);
     }
 

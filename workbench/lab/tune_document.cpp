@@ -21,6 +21,7 @@ Json row_json(const TuneOptions& options, const TuneRow& row) {
               {"threads", row.measured.threads},
               {"build_seconds", row.time.build},
               {"build_seconds_first", row.measured.build_seconds_first},
+              {"scatter", row.measured.scatter},
               {"build_cpu_seconds", row.measured.build_cpu_seconds}};
     for (const RayKindEntry& entry : rendering_ray_kinds()) {
         const auto& seconds = row.ray_seconds[static_cast<std::size_t>(entry.kind)];

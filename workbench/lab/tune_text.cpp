@@ -1,4 +1,6 @@
+#include "lab/seconds_text.h"
 #include "lab/tune.h"
+#include "render/render_report.h"
 
 #include <fmt/format.h>
 
@@ -9,15 +11,10 @@ namespace coppice::lab {
 
 namespace {
 
-constexpr double near_share = 0.03;  // closer than medians of a few runs can tell apart
+constexpr double near_share = 0.03;  // closer than medians of a few runs can tell apart, ever
 
-constexpr const char* line_format =
+constexpr const char* tune_line =
     "{:1} {:<10} {:>8} {:>9} {:>9} {:>8} {:>8} {:>8} {:>8} {:>10}  {}\n";
-
-std::string seconds_text(double seconds) {
-    const int digits = seconds < 0.01 ? 6 : seconds < 100.0 ? 4 : 1;
-    return fmt::format("{:.{}f}", seconds, digits);
-}
 
 std::string nanoseconds_text(const std::optional<double>& seconds) {
     return seconds ? fmt::format("{:.1f}", 1e9 * *seconds) : "-";
@@ -25,6 +22,10 @@ std::string nanoseconds_text(const std::optional<double>& seconds) {
 
 std::string count_text(double count) {
     return fmt::format("{:.3g}", count);
+}
+
+std::string rays_text(double count) {
+    return count_text(count) + (count == 1.0 ? " ray" : " rays");
 }
 
 std::string percent_text(double percent) {
@@ -41,7 +42,7 @@ std::string row_text(const TuneOptions& options, const TuneResult& result, std::
     const TuneRow& row = result.rows[index];
     const auto span = std::find_if(result.fastest.begin(), result.fastest.end(),
                                    [&](const BestSpan& best) { return best.index == index; });
-    return fmt::format(line_format, index == result.chosen ? "*" : "", row.method,
+    return fmt::format(tune_line, index == result.chosen ? "*" : "", row.method,
                        percent_text(row.sample_percent), seconds_text(row.time.build),
                        seconds_text(row.measured.build_cpu_seconds),
                        nanoseconds_text(row.ray_seconds[0]), nanoseconds_text(row.ray_seconds[1]),
@@ -80,15 +81,15 @@ std::string reason_text(const TuneResult& result) {
 /// The rows that are nearly as fast.
 std::string near_text(const TuneOptions& options, const TuneResult& result) {
     const double best = result.rows[result.chosen].time.seconds(options.ray_count);
+    const double noise = std::max(near_share, result.rows[result.chosen].measured.scatter);
     std::string names;
     for (std::size_t i = 0; i < result.rows.size(); ++i) {
-        const bool is_near =
-            result.rows[i].time.seconds(options.ray_count) <= (1.0 + near_share) * best;
+        const bool is_near = result.rows[i].time.seconds(options.ray_count) <= (1.0 + noise) * best;
         if (i == result.chosen || !is_near) continue;
         names += (names.empty() ? "" : ", ") + name_text(result.rows[i]);
     }
     if (names.empty()) return {};
-    return fmt::format("; within {:.0f} % of it, which is noise: {}", 100.0 * near_share, names);
+    return fmt::format("; within {:.0f} % of it, which is noise: {}", 100.0 * noise, names);
 }
 
 }  // namespace
@@ -101,9 +102,10 @@ std::string tune_table(const TuneOptions& options, const TuneResult& result) {
         result.scene.ray_counts[1], result.scene.ray_counts[2], result.rows[0].measured.threads,
         result.rows[0].measured.threads == 1 ? "" : "s", options.runs,
         options.runs == 1 ? "" : "s");
-    text += fmt::format(line_format, "", "", "", "build", "CPU", "primary", "shadow", "diffuse",
-                        "a ray", fmt::format("{} rays", count_text(options.ray_count)), "");
-    text += fmt::format(line_format, "", "method", "sample", "s", "s", "ns", "ns", "ns", "ns", "s",
+    text += fmt::format("rays from {}\n", render::camera_text(result.scene.camera));
+    text += fmt::format(tune_line, "", "", "", "build", "CPU", "primary", "shadow", "diffuse",
+                        "a ray", rays_text(options.ray_count), "");
+    text += fmt::format(tune_line, "", "method", "sample", "s", "s", "ns", "ns", "ns", "ns", "s",
                         "fastest");
     for (std::size_t i = 0; i < result.rows.size(); ++i) {
         text += row_text(options, result, i);
@@ -113,12 +115,11 @@ std::string tune_table(const TuneOptions& options, const TuneResult& result) {
 
 std::string tune_sentence(const TuneOptions& options, const TuneResult& result) {
     const TuneRow& chosen = result.rows[result.chosen];
-    return fmt::format(
-        "{}: for {} rays use {}: with {} s to build and {} ns a ray they take {} s{}{}.",
-        result.scene.scene, count_text(options.ray_count), name_text(chosen),
-        seconds_text(chosen.time.build), nanoseconds_text(chosen.time.ray),
-        seconds_text(chosen.time.seconds(options.ray_count)), reason_text(result),
-        near_text(options, result));
+    return fmt::format("{}: for {} use {}: with {} s to build and {} ns a ray they take {} s{}{}.",
+                       result.scene.scene, rays_text(options.ray_count), name_text(chosen),
+                       seconds_text(chosen.time.build), nanoseconds_text(chosen.time.ray),
+                       seconds_text(chosen.time.seconds(options.ray_count)), reason_text(result),
+                       near_text(options, result));
 }
 
 }  // namespace coppice::lab

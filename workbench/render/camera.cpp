@@ -25,13 +25,13 @@ namespace {
 constexpr double margin = 1.02;  // of the distance: nothing touches the edge of the image
 
 /// An orthonormal frame to look along.
-struct View {
+struct Sight {
     Vec3d forward;
     Vec3d right;
     Vec3d up;
 };
 
-View view_along(Vec3d direction, Vec3d up) {
+Sight view_along(Vec3d direction, Vec3d up) {
     const Vec3d forward = normalized(direction);
     const Vec3d right = normalized(cross(forward, up));
     return {forward, right, cross(right, forward)};
@@ -52,7 +52,7 @@ std::array<Vec3d, 8> corners_of(const Aabb& box) {
 }
 
 /// The area of the rectangle that a box spans, seen along a view.
-double spanned_area(const Aabb& box, const View& view) {
+double spanned_area(const Aabb& box, const Sight& view) {
     double half_width = 0.0;
     double half_height = 0.0;
     for (const Vec3d corner : corners_of(box)) {
@@ -79,19 +79,19 @@ Vec3f likely_up_of_model(const Aabb& box) {
 }
 
 /// The view that shows most of a box.
-View best_view(const Aabb& box, Vec3d up) {
+Sight best_view(const Aabb& box, Vec3d up) {
     constexpr int side_count = 16;
     constexpr double elevation = 20.0 * std::numbers::pi / 180.0;
     const Vec3d vertical = normalized(up);
     const Vec3d other = std::abs(vertical.x) < 0.9 ? Vec3d{1.0, 0.0, 0.0} : Vec3d{0.0, 1.0, 0.0};
     const Vec3d east = normalized(cross(other, vertical));
     const Vec3d north = cross(vertical, east);
-    View best{};
+    Sight best{};
     double best_area = -1.0;
     for (int side = 0; side < side_count; ++side) {
         const double angle = 2.0 * std::numbers::pi * (side + 0.25) / side_count;
         const Vec3d level = std::cos(angle) * east + std::sin(angle) * north;
-        const View view =
+        const Sight view =
             view_along(-std::cos(elevation) * level + -std::sin(elevation) * vertical, vertical);
         const double area = spanned_area(box, view);
         if (area > best_area * (1.0 + 1e-9)) {  // opposite sides show the same
@@ -103,7 +103,7 @@ View best_view(const Aabb& box, Vec3d up) {
 }
 
 /// How far behind `target` the eye must be to see all points.
-double framing_distance(std::span<const Vec3d> points, Vec3d target, const View& view,
+double framing_distance(std::span<const Vec3d> points, Vec3d target, const Sight& view,
                         double tan_half_height, double aspect) {
     double distance = 0.0;
     for (const Vec3d point : points) {
@@ -117,7 +117,7 @@ double framing_distance(std::span<const Vec3d> points, Vec3d target, const View&
 }
 
 /// The view from the opposite side if this one is from the back.
-View from_front(const View& view, Vec3d vertical) {
+Sight from_front(const Sight& view, Vec3d vertical) {
     const Vec3d front =
         std::abs(vertical.y) >= std::abs(vertical.z) ? Vec3d{0.0, 0.0, 1.0} : Vec3d{0.0, -1.0, 0.0};
     const Vec3d level = view.forward - dot(view.forward, vertical) * vertical;
@@ -126,7 +126,7 @@ View from_front(const View& view, Vec3d vertical) {
 }
 
 /// The middle of what points span along the axes of a view.
-Vec3d center_in_view(std::span<const Vec3d> points, const View& view) {
+Vec3d center_in_view(std::span<const Vec3d> points, const Sight& view) {
     Vec3d center;
     for (const Vec3d axis : {view.forward, view.right, view.up}) {
         double lowest = std::numeric_limits<double>::infinity();
@@ -138,15 +138,6 @@ Vec3d center_in_view(std::span<const Vec3d> points, const View& view) {
         center = center + 0.5 * (lowest + highest) * axis;
     }
     return center;
-}
-
-/// The nearest multiple of `unit`, unless that is too small for such arithmetic.
-Vec3f rounded(Vec3d v, double unit) {
-    const auto round = [unit](double x) {
-        const double multiple = std::round(x / unit) * unit;
-        return std::isfinite(multiple) ? multiple + 0.0 : x;  // + 0.0: no -0
-    };
-    return to_float({round(v.x), round(v.y), round(v.z)});
 }
 
 double tan_half(double fov) {
@@ -165,10 +156,19 @@ const Camera& checked(const Camera& camera) {
 
 }  // namespace
 
+Vec3f in_few_digits(Vec3d point, double distance) {
+    const double unit = std::pow(10.0, std::floor(std::log10(distance)) - 4.0);
+    const auto round = [unit](double x) {
+        const double multiple = std::round(x / unit) * unit;
+        return std::isfinite(multiple) ? multiple + 0.0 : x;  // + 0.0: no -0
+    };
+    return to_float({round(point.x), round(point.y), round(point.z)});
+}
+
 Camera frame_box(const Aabb& box, const CameraWish& wish, double aspect) {
     const Aabb seen = box.is_empty() ? Aabb{{}, {}} : box;
     Camera camera;
-    camera.fov = wish.fov;
+    camera.fov = wish.fov.value_or(default_fov);
     camera.up = wish.up.value_or(likely_up(seen));
     const Vec3d target = wish.look_at ? to_double(*wish.look_at) : center_of(seen);
     camera.look_at = to_float(target);
@@ -176,9 +176,9 @@ Camera frame_box(const Aabb& box, const CameraWish& wish, double aspect) {
         camera.eye = *wish.eye;
         return camera;
     }
-    const View view = best_view(seen, to_double(camera.up));
+    const Sight view = best_view(seen, to_double(camera.up));
     const double distance =
-        framing_distance(corners_of(seen), target, view, tan_half(wish.fov), aspect);
+        framing_distance(corners_of(seen), target, view, tan_half(camera.fov), aspect);
     camera.eye = to_float(target - distance * view.forward);
     return checked(camera);
 }
@@ -193,19 +193,17 @@ Camera frame_points(std::span<const Vec3f> points, const CameraWish& wish, doubl
     std::vector<Vec3d> seen(points.size());
     std::transform(points.begin(), points.end(), seen.begin(), to_double);
     const Vec3d vertical = normalized(to_double(camera.up));
-    const View view = from_front(best_view(box, vertical), vertical);
+    const Sight view = from_front(best_view(box, vertical), vertical);
     const Vec3d target = wish.look_at ? to_double(*wish.look_at) : center_in_view(seen, view);
-    const double distance = framing_distance(seen, target, view, tan_half(wish.fov), aspect);
-    // Few digits, since people copy them: to a ten-thousandth of the distance.
-    const double unit = std::pow(10.0, std::floor(std::log10(distance)) - 4.0);
-    if (!wish.look_at) camera.look_at = rounded(target, unit);
-    camera.eye = rounded(target - distance * view.forward, unit);
+    const double distance = framing_distance(seen, target, view, tan_half(camera.fov), aspect);
+    if (!wish.look_at) camera.look_at = in_few_digits(target, distance);
+    camera.eye = in_few_digits(target - distance * view.forward, distance);
     return checked(camera);
 }
 
 Vec3f place_light(const Camera& camera, const Aabb& box) {
     const Vec3d sight = to_double(camera.look_at) - to_double(camera.eye);
-    const View view = view_along(sight, to_double(camera.up));
+    const Sight view = view_along(sight, to_double(camera.up));
     const double distance = length(sight);
     Vec3f light =
         to_float(to_double(camera.eye) + 0.4 * distance * view.up + 0.3 * distance * view.right);
@@ -226,7 +224,7 @@ CameraRays::CameraRays(const Camera& camera, int width, int height)
     if (!(camera.fov > 0.0 && camera.fov < 180.0)) {
         throw Error(ErrorCode::invalid_argument, "the field of view is outside (0, 180)");
     }
-    const View view =
+    const Sight view =
         view_along(to_double(camera.look_at) - to_double(camera.eye), to_double(camera.up));
     if (view.right == Vec3d{}) {
         throw Error(ErrorCode::invalid_argument,

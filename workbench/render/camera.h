@@ -2,6 +2,7 @@
 
 #include "coppice/geom/aabb.h"
 #include "coppice/geom/ray.h"
+#include "coppice/geom/vec3.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -23,8 +24,15 @@ struct CameraWish {
     std::optional<Vec3f> eye;
     std::optional<Vec3f> look_at;
     std::optional<Vec3f> up;
-    double fov = 45.0;
+    std::optional<double> fov;  ///< else default_fov, or what suits the place chosen
 };
+
+/// Degrees, of a camera that sees a scene from outside.
+inline constexpr double default_fov = 45.0;
+
+/// A point of a camera in as few digits as people copy: to a ten-thousandth of `distance`, that
+/// between its eye and what it looks at.
+[[nodiscard]] Vec3f in_few_digits(Vec3d point, double distance);
 
 /// A camera that sees all of a box in an image of `aspect` (width over height): from the side where
 /// the box appears largest, a little from above. Up is y, or z for a box flat in z. What is wished

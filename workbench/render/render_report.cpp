@@ -111,8 +111,11 @@ std::string render_text(const RenderReport& report) {
     std::string text = fmt::format("{}: {} triangles, loaded in {:.2f} s\n", report.scene,
                                    grouped(report.triangle_count), report.load_seconds);
     text += fmt::format("  tree    {}\n", tree_text(report));
+    const char* const choice = report.is_camera_inside
+                                   ? "  (chosen, inside: from outside there are only walls)"
+                                   : "  (chosen)";
     text += fmt::format("  camera  {}{}\n", camera_text(report.camera),
-                        report.is_camera_chosen ? "  (chosen)" : "");
+                        report.is_camera_chosen ? choice : "");
     text += fmt::format("  light   {}\n", lamp_text(report));
     text += fmt::format("  image   {} x {} pixels of {} samples, {}, seed {}, {} threads\n",
                         report.options.width, report.options.height, report.options.samples,
@@ -128,6 +131,7 @@ std::string render_text(const RenderReport& report) {
 void to_json(nlohmann::json& json, const RenderReport& report) {
     nlohmann::json camera = report.camera;
     camera["chosen"] = report.is_camera_chosen;
+    camera["inside"] = report.is_camera_inside;
     const auto pixels = static_cast<std::uint64_t>(report.options.width) *
                         static_cast<std::uint64_t>(report.options.height);
     json = {{"scene", report.scene},

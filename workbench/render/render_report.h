@@ -34,6 +34,7 @@ struct RenderReport {
     int threads = 1;  ///< that were used
     Camera camera;
     bool is_camera_chosen = false;  ///< rather than given
+    bool is_camera_inside = false;  ///< chosen within a room
     std::optional<Lamp> lamp;
     bool is_lamp_chosen = false;
     std::optional<Vec3f> sky;  ///< if it is of one colour

@@ -90,7 +90,7 @@ json protocol_scale(const std::vector<std::string>& protocols,
                   {"type", "nominal"},
                   {"title", nullptr},
                   {"scale", {{"domain", domain}, {"range", range}}}};
-    if (protocols.size() > 3) encoding["legend"] = {{"columns", 3}};
+    if (protocols.size() > 3) encoding["legend"] = {{"columns", 2}};
     return encoding;
 }
 
@@ -105,7 +105,9 @@ ProtocolStyle sampler_style(std::string_view line, std::size_t comma) {
         const unsigned long part = color >> shift & 255U;
         mixed += fmt::format("{:02x}", is_light ? (part + 255U) / 2U : part * 6U / 10U);
     }
-    return {style.name + sampler, style.label + sampler, mixed, is_light ? "stroke" : "cross"};
+    const std::string short_label = style.label.substr(0, style.label.find(' '));
+    return {style.name + sampler, short_label + sampler, mixed,
+            is_light ? "triangle-down" : "cross"};
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ json builder_encoding(const char* what) {
             {"type", "nominal"},
             {"title", nullptr},
             {"scale", builder_scale(what)},
-            {"legend", {{"columns", 3}}}};
+            {"legend", {{"columns", 2}}}};
 }
 
 // The numbers of rays that the chart is about, from well before the first change of winner to

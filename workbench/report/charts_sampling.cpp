@@ -59,7 +59,7 @@ json part_color() {
             {"type", "nominal"},
             {"title", nullptr},
             {"scale", {{"domain", names}, {"range", colors}}},
-            {"legend", {{"columns", 3}}}};
+            {"legend", {{"columns", 2}}}};
 }
 
 bool has_level_costs(const RatePoint* point) {

@@ -73,20 +73,26 @@ std::string correlation_note(const json& rays, std::string_view form) {
     return {};
 }
 
+/// "45.7 ± 1.2"
+std::string constant_text(const json& found, const std::string& name) {
+    const std::string value = format_ratio(number_at(found, name + "_nanoseconds").value_or(0.0));
+    const std::optional<double> error = number_at(found, name + "_error");
+    return error ? fmt::format("{} ± {:.2g}", value, *error) : value;
+}
+
 std::string calibration_row(const json& found) {
     const auto number = [&](const char* key) { return number_at(found, key).value_or(0.0); };
     const std::optional<double> share = number_at(found, "r_squared");
+    const std::string caution = text_at(found, "caution");
     return fmt::format(
         "<tr><th scope=\"row\">{}{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
-        "<td>{}</td><td>{}</td></tr>",
+        "<td>{}</td><td>{}</td><td>{}</td></tr>",
         form_name(text_at(found, "tree")),
-        found.value("is_rank_deficient", false)
-            ? "; rank-deficient: nodes and tests cannot be told apart"
-            : "",
-        escape_html(text_at(found, "residuals")), format_ratio(number("traversal_nanoseconds")),
-        format_ratio(number("intersection_nanoseconds")),
-        share ? fmt::format("{:.4f}", *share) : "–", format_ratio(number("rms_nanoseconds")),
-        format_share(number("relative_rms")), format_count(number("count")));
+        caution.empty() ? "" : fmt::format("<small>{}</small>", escape_html(caution)),
+        escape_html(text_at(found, "residuals")), constant_text(found, "traversal"),
+        constant_text(found, "intersection"), share ? fmt::format("{:.4f}", *share) : "–",
+        format_ratio(number("rms_nanoseconds")), format_share(number("relative_rms")),
+        format_count(number("count")), format_count(number("tree_count")));
 }
 
 std::string calibration_table(const json& rays) {
@@ -99,12 +105,14 @@ std::string calibration_table(const json& rays) {
            "<caption>The constants of this machine: nanoseconds of a ray as t<sub>trav</sub> times "
            "nodes and t<sub>isect</sub> times tests, by non-negative least squares of the "
            "residuals, "
-           "absolute ones or relative to each time. An observation is a tree with a kind of rays; "
-           "wall clock on all threads.</caption><thead><tr><th scope=\"col\">trees</th>"
+           "absolute ones or relative to each time; ± is the standard error. An observation is a "
+           "tree with a kind of rays; wall clock on all threads.</caption><thead><tr><th "
+           "scope=\"col\">trees</th>"
            "<th scope=\"col\">residuals</th><th scope=\"col\">t<sub>trav</sub> (ns)</th>"
            "<th scope=\"col\">t<sub>isect</sub> (ns)</th><th scope=\"col\">R²</th>"
            "<th scope=\"col\">RMS (ns)</th><th scope=\"col\">RMS of each</th>"
-           "<th scope=\"col\">observations</th></tr></thead><tbody>" +
+           "<th scope=\"col\">observations</th><th scope=\"col\">different trees</th></tr></thead>"
+           "<tbody>" +
            rows + "</tbody></table></div>";
 }
 

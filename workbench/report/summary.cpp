@@ -54,6 +54,18 @@ const RatePoint* smallest_sample(const Series& series, std::string_view protocol
     return smallest;
 }
 
+struct Ends {
+    double least = 0.0;
+    double greatest = 0.0;
+};
+
+// An array of two numbers, if it is one.
+std::optional<Ends> interval_at(const json& row, const char* key) {
+    const json& ends = array_at(row, key);
+    if (ends.size() != 2 || !ends[0].is_number() || !ends[1].is_number()) return std::nullopt;
+    return Ends{ends[0].get<double>(), ends[1].get<double>()};
+}
+
 // Which tree a scene's results recommend the most.
 struct Choice {
     const Series* series = nullptr;
@@ -61,6 +73,7 @@ struct Choice {
     double percent = 100.0;
     std::optional<double> relative_cost;
     std::optional<double> relative_time;
+    std::optional<Ends> time_interval;  // 95 %
 };
 
 // The smallest sample recommended for one kind, and of equal ones the cheapest tree.
@@ -72,8 +85,12 @@ std::optional<Choice> best_of_kind(const json& scene, const Series& series) {
         const bool is_here = text_at(row, "primitives") == series.kind &&
                              std::ranges::count(series.protocols(), line) > 0;
         if (!is_here || !percent) continue;
-        const Choice choice{&series, line, *percent, number_at(row, "relative_cost"),
-                            number_at(row, "relative_time")};
+        const Choice choice{&series,
+                            line,
+                            *percent,
+                            number_at(row, "relative_cost"),
+                            number_at(row, "relative_time"),
+                            interval_at(row, "relative_time_interval")};
         const auto rank = [](const Choice& one) {
             return std::pair(one.percent, one.relative_cost.value_or(1.0));
         };
@@ -92,6 +109,15 @@ std::optional<Choice> best_choice(const json& scene, const std::vector<Series>& 
     return best;
 }
 
+// " (95 % interval 60.1 % to 102 %, so that it may save none)"
+std::string time_spread(const Choice& choice) {
+    if (!choice.time_interval || choice.percent == 100.0) return {};
+    const auto [least, greatest] = *choice.time_interval;
+    return fmt::format(" (95 % interval {} to {}{})", format_share(std::max(least, 0.0)),
+                       format_share(greatest),
+                       least < 1.0 && greatest >= 1.0 ? ", so that it may save none" : "");
+}
+
 // "the tree costs 1.01 times (95 % interval ...) as much as the full one".
 std::string choice_consequence(const Choice& choice) {
     std::vector<std::string> phrases;
@@ -105,8 +131,9 @@ std::string choice_consequence(const Choice& choice) {
                                       strong(format_ratio(*choice.relative_cost) + " times")));
     }
     if (choice.relative_time) {
-        phrases.push_back(
-            fmt::format("takes {} of its build time", strong(format_share(*choice.relative_time))));
+        phrases.push_back(fmt::format("takes {}{} of its build time",
+                                      strong(format_share(*choice.relative_time)),
+                                      time_spread(choice)));
     }
     return phrases.empty() ? "" : ": the tree " + join_words(phrases);
 }
@@ -191,11 +218,6 @@ std::string control_item(const Series& series) {
         " to that: {}.</li>",
         format_ratio(cost->mean), name_of(protocols.front()), join_words(phrases));
 }
-
-struct Ends {
-    double least = 0.0;
-    double greatest = 0.0;
-};
 
 // Over the thesis's scenes, the least and the greatest of what `measure` makes of a row and the
 // 100 % row of its scene.

@@ -1,6 +1,6 @@
 // Eight lanes in a 256-bit register. Part of a kernel source; the twin of lanes_scalar.inl.
 
-using Lanes = __m256;
+using Lanes = __m256;  // which has +, - and *
 
 inline Lanes load(const float* from) noexcept {
     return _mm256_loadu_ps(from);
@@ -12,6 +12,30 @@ inline void store(Lanes lanes, float* to) noexcept {
 
 inline Lanes max(Lanes a, Lanes b) noexcept {
     return _mm256_max_ps(a, b);
+}
+
+inline Lanes min(Lanes a, Lanes b) noexcept {
+    return _mm256_min_ps(a, b);
+}
+
+inline Lanes broadcast(float value) noexcept {
+    return _mm256_set1_ps(value);
+}
+
+inline Lanes swap_halves(Lanes lanes) noexcept {
+    return _mm256_permute2f128_ps(lanes, lanes, 1);
+}
+
+inline Lanes with_lane(Lanes lanes, std::size_t lane, float value) noexcept {
+    const __m256i numbers = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
+    const __m256i is_it = _mm256_cmpeq_epi32(numbers, _mm256_set1_epi32(static_cast<int>(lane)));
+    return _mm256_blendv_ps(lanes, broadcast(value), _mm256_castsi256_ps(is_it));
+}
+
+inline bool has_extent(Lanes box) noexcept {
+    const __m128 extent =
+        _mm_add_ps(_mm256_castps256_ps128(box), _mm256_extractf128_ps(box, 1));
+    return (_mm_movemask_ps(_mm_cmpge_ps(extent, _mm_setzero_ps())) & 7) == 7;
 }
 
 inline Lanes only_if(bool condition, Lanes lanes) noexcept {
@@ -67,6 +91,11 @@ inline float half_area(Lanes box, float factor) noexcept {
 // x, y and z of a point, and nothing beyond: it may be the last of its array.
 inline __m128 load_point(const Vec3f* point) noexcept {
     return _mm_maskload_ps(&point->x, _mm_setr_epi32(-1, -1, -1, 0));
+}
+
+inline Lanes lanes_of(const Vec3f& point) noexcept {
+    const __m128 coordinates = load_point(&point);
+    return _mm256_set_m128(coordinates, _mm_xor_ps(coordinates, _mm_set1_ps(-0.0F)));
 }
 
 inline void transpose(const std::array<const Vec3f*, 8>& points,

@@ -21,6 +21,63 @@ inline Lanes max(Lanes a, Lanes b) noexcept {
     return a;
 }
 
+inline Lanes min(Lanes a, Lanes b) noexcept {
+    for (std::size_t i = 0; i < 8; ++i) {
+        a.value.lane[i] = a.value.lane[i] < b.value.lane[i] ? a.value.lane[i] : b.value.lane[i];
+    }
+    return a;
+}
+
+inline Lanes operator+(Lanes a, Lanes b) noexcept {
+    for (std::size_t i = 0; i < 8; ++i) {
+        a.value.lane[i] += b.value.lane[i];
+    }
+    return a;
+}
+
+inline Lanes operator-(Lanes a, Lanes b) noexcept {
+    for (std::size_t i = 0; i < 8; ++i) {
+        a.value.lane[i] -= b.value.lane[i];
+    }
+    return a;
+}
+
+inline Lanes operator*(Lanes a, Lanes b) noexcept {
+    for (std::size_t i = 0; i < 8; ++i) {
+        a.value.lane[i] *= b.value.lane[i];
+    }
+    return a;
+}
+
+inline Lanes broadcast(float value) noexcept {
+    return {{{value, value, value, value, value, value, value, value}}};
+}
+
+// Lanes 4 to 7 before lanes 0 to 3.
+inline Lanes swap_halves(Lanes lanes) noexcept {
+    std::rotate(lanes.value.lane.begin(), lanes.value.lane.begin() + 4, lanes.value.lane.end());
+    return lanes;
+}
+
+inline Lanes with_lane(Lanes lanes, std::size_t lane, float value) noexcept {
+    lanes.value.lane[lane] = value;
+    return lanes;
+}
+
+// Whether a box is not empty on any axis.
+inline bool has_extent(const Lanes& box) noexcept {
+    bool has = true;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        has &= box.value.lane[axis] + box.value.lane[4 + axis] >= 0.0F;
+    }
+    return has;
+}
+
+// A point: its coordinates negated, and as they are.
+inline Lanes lanes_of(const Vec3f& point) noexcept {
+    return {{{-point.x, -point.y, -point.z, -0.0F, point.x, point.y, point.z, 0.0F}}};
+}
+
 // The lanes, or -infinity in all of them.
 inline Lanes only_if(bool condition, Lanes lanes) noexcept {
     return condition ? lanes : Lanes{Box8::make_empty()};

@@ -4,6 +4,7 @@
 #include "coppice/geom/triangle_mesh.h"
 #include "coppice/tree/wide_bvh.h"
 
+#include "build/kernels/slabs.h"
 #include "build/wide/reference.h"
 
 #include <array>
@@ -78,6 +79,12 @@ struct Sides {
     T upper;
 };
 
+/// The box of references and the range of their centroids.
+struct Measure {
+    Box8 box = Box8::make_empty();
+    Box8 centroids = Box8::make_empty();
+};
+
 /// The arrays of a mesh.
 struct MeshArrays {
     const Vec3f* vertices;
@@ -88,6 +95,8 @@ struct MeshArrays {
 inline constexpr Vec3f nowhere{std::numeric_limits<float>::quiet_NaN(),
                                std::numeric_limits<float>::quiet_NaN(),
                                std::numeric_limits<float>::quiet_NaN()};
+
+inline constexpr Box8 empty_box = Box8::make_empty();
 
 /// The inner loops of the wide builder, compiled for one instruction set. All sets give the same
 /// results to the bit.
@@ -105,6 +114,20 @@ struct Kernels {
     /// centroids.
     void (*partition)(std::span<const Reference>, const Border&, Sides<Reference*> out,
                       Sides<Box8>& centroids) noexcept;
+
+    /// Cuts one triangle in `stride` at the borders of slabs and adds the pieces to those of each
+    /// axis.
+    void (*bin_pieces)(std::span<const Reference>, std::size_t stride, const MeshArrays&,
+                       const Slabs&, std::array<SlabContents, 3>&) noexcept;
+
+    /// How many references have a piece on each side of a plane.
+    Sides<std::uint32_t> (*count_pieces)(std::span<const Reference>, const MeshArrays&,
+                                         CutPlane) noexcept;
+
+    /// Copies references to the two sides of a plane, in their order, each with the box of its
+    /// piece there.
+    void (*write_pieces)(std::span<const Reference>, const MeshArrays&, CutPlane,
+                         Sides<Reference*> out, Sides<Measure>&) noexcept;
 
     /// Copies the corners of up to eight triangles into a block.
     void (*fill_block)(std::span<const std::uint32_t> ids, const MeshArrays&,

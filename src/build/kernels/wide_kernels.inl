@@ -195,4 +195,7 @@ void fill_block(std::span<const std::uint32_t> ids, const MeshArrays& mesh,
     }
 }
 
-constexpr Kernels kernels{&unite, &bin, &find_split, &partition, &fill_block};
+#include "build/kernels/spatial_kernels.inl"
+
+constexpr Kernels kernels{&unite,      &bin,          &find_split,   &partition,
+                          &bin_pieces, &count_pieces, &write_pieces, &fill_block};

@@ -10,6 +10,8 @@
 
 #include "coppice/base/parallel.h"
 
+#include "build/wide/spatial_splitter.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -48,9 +50,10 @@ struct Item {
 class Grower {
 public:
     Grower(const Top& top, std::span<const Range> cells, const Splitter& splitter,
-           std::span<std::uint32_t> ids, Progress* progress)
+           const SpatialSplitter& spatial, std::span<std::uint32_t> ids, Progress* progress)
         : top_(top),
           splitter_(splitter),
+          spatial_(spatial),
           ids_(ids),
           ranges_(top.nodes.size()),
           progress_(progress) {
@@ -118,10 +121,17 @@ private:
             children.add(make_item(lower + 1));
             return;
         }
-        const Halves halves =
-            by_sah ? splitter_.split(opened.range) : splitter_.halve(opened.range);
+        const Halves halves = by_sah ? split(opened.range) : splitter_.halve(opened.range);
         children.add(with_area({halves.lower, not_top, 0.0}));
         children.add(with_area({halves.upper, not_top, 0.0}));
+    }
+
+    // By the centroids of references, or by a plane that cuts them if that is cheaper.
+    [[nodiscard]] Halves split(const Range& range) const {
+        BinMapping mapping{};
+        const ObjectSplit split = splitter_.find(range, mapping);
+        if (const auto halves = spatial_.improve(range, split)) return *halves;
+        return splitter_.divide(range, split, mapping);
     }
 
     [[nodiscard]] Children open_all(const Item& item, int depth) const {
@@ -215,6 +225,7 @@ private:
 
     const Top& top_;
     const Splitter& splitter_;
+    const SpatialSplitter& spatial_;
     std::span<std::uint32_t> ids_;
     std::vector<Range> ranges_;  // of the top's nodes
     Progress* progress_;
@@ -232,14 +243,16 @@ std::uint64_t byte_count(const Part& part) noexcept {
     return bytes;
 }
 
-GrownTree grow_wide(const Cells& cells, const Kernels& kernels, Progress* progress) {
+GrownTree grow_wide(const Cells& cells, TriangleMeshView mesh, const Kernels& kernels,
+                    Progress* progress) {
     Box8 bounds = Box8::make_empty();
     for (const Range& range : cells.ranges) {
         bounds.grow(range.box);
     }
     const SplitCosts costs{static_cast<float>(block_size), true, extent_factor_of(bounds)};
     const Splitter splitter(cells.arena.first(), cells.arena.second(), costs, kernels);
-    return Grower(cells.top, cells.ranges, splitter, cells.arena.ids(), progress).grow();
+    const SpatialSplitter spatial(cells.arena.first(), cells.arena.second(), mesh, bounds, kernels);
+    return Grower(cells.top, cells.ranges, splitter, spatial, cells.arena.ids(), progress).grow();
 }
 
 }  // namespace coppice::wide

@@ -49,9 +49,10 @@ struct GrownTree {
 [[nodiscard]] std::uint64_t byte_count(const Part& part) noexcept;
 
 /// Builds the wide tree over cells that hang in a top: the top is collapsed into nodes of eight,
-/// and every cell is built on by binned object splits. The arena receives the leaves' ids.
-/// Source: [Wald2007], [Tessari2023].
-[[nodiscard]] GrownTree grow_wide(const Cells& cells, const Kernels& kernels,
+/// and every cell is built on by binned object splits, and by spatial splits while it has room to
+/// spare. The arena receives the leaves' ids.
+/// Source: [Wald2007], [Stich2009], [Tessari2023].
+[[nodiscard]] GrownTree grow_wide(const Cells& cells, TriangleMeshView mesh, const Kernels& kernels,
                                   Progress* progress = nullptr);
 
 /// Puts the parts together in depth-first order and copies the triangles' corners into blocks. The

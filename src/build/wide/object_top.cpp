@@ -207,6 +207,10 @@ std::vector<Range> fill_cells(const Top& top, std::span<Reference> from, std::sp
             place = std::exchange(next, next + place);
         }
         cells[cell].end = next;
+        const std::uint64_t spare = to.size() - from.size();
+        cells[cell].spare_above =
+            static_cast<std::uint32_t>(spare * cells[cell].size() / from.size());
+        next += cells[cell].spare_above;
     }
 
     parallel_for_chunks(from.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
@@ -224,7 +228,9 @@ void measure_cells(Cells& cells, const Kernels& kernels) {
     const Splitter splitter(cells.arena.first(), cells.arena.second(), {}, kernels);
     parallel_for_chunks(cells.ranges.size(), 1, [&](std::size_t at, std::size_t /*end*/) {
         Range& range = cells.ranges[at];
-        range = splitter.measured(range.begin, range.end, range.buffer);
+        const Range measured = splitter.measured(range.begin, range.end, range.buffer);
+        range.box = measured.box;
+        range.centroids = measured.centroids;
     });
 }
 

@@ -10,6 +10,10 @@ namespace {
 constexpr double balanced_from = 20.0;
 constexpr double quality_from = 100.0;
 
+// References a triangle at most. Of 1.1, 1.15 and 1.25 the first gives up a third of what spatial
+// splits gain in the forest and nothing elsewhere, and keeps to 56 bytes a triangle.
+constexpr double most_references = 1.1;
+
 WidePreset choose_preset(const WideOptions& options, std::uint32_t triangle_count) {
     if (options.preset != WidePreset::automatic) return options.preset;
     const double rays_a_triangle = options.expected_rays / std::max(1U, triangle_count);
@@ -21,9 +25,9 @@ WidePreset choose_preset(const WideOptions& options, std::uint32_t triangle_coun
 
 Plan make_plan(const BuildOptions& options, std::uint32_t triangle_count) {
     const WidePreset preset = choose_preset(options.wide, triangle_count);
-    Plan plan{preset, false, 4096, options.sample};
+    Plan plan{preset, false, 4096, 1.0, options.sample};
     const bool is_automatic = options.wide.preset == WidePreset::automatic;
-    if (is_automatic && plan.sampling.rate == 1.0) {
+    if (is_automatic && preset != WidePreset::quality && plan.sampling.rate == 1.0) {
         plan.sampling.rate = 0.01;
         plan.sampling.sampler = "weighted";
     }
@@ -36,9 +40,8 @@ Plan make_plan(const BuildOptions& options, std::uint32_t triangle_count) {
             plan.cell_size = 32768;
             break;
         case WidePreset::quality:
-            plan.by_planes = true;
+            plan.room = most_references;
             plan.cell_size = 16384;
-            plan.sampling.rate = std::max(plan.sampling.rate, 0.1);
             break;
     }
     if (options.wide.cell_size != 0) plan.cell_size = options.wide.cell_size;

@@ -11,6 +11,7 @@ struct Plan {
     WidePreset preset;        ///< the one chosen
     bool by_planes;           ///< cells by a k-d tree, else by object splits
     std::uint32_t cell_size;  ///< triangles a cell is to hold
+    double room;              ///< references a triangle at most, for spatial splits; 1: none
     SampleOptions sampling;   ///< rate 1: the scene is not sampled
 };
 

@@ -55,13 +55,28 @@ std::uint32_t count_lower(std::span<const Reference> references, const ObjectSpl
 
 // The two sides of a split in the other buffer, their centroids not found yet.
 Halves halves_of(const Range& range, const ObjectSplit& split, std::uint32_t lower_count) {
-    const auto buffer = static_cast<std::uint8_t>(1 - range.buffer);
-    const std::uint32_t middle = range.begin + lower_count;
-    return {{range.begin, middle, buffer, split.lower_box, Box8::make_empty()},
-            {middle, range.end, buffer, split.upper_box, Box8::make_empty()}};
+    Halves halves = place_halves(range, {lower_count, range.size() - lower_count});
+    halves.lower.box = split.lower_box;
+    halves.upper.box = split.upper_box;
+    return halves;
 }
 
 }  // namespace
+
+Halves place_halves(const Range& range, Sides<std::uint32_t> count) noexcept {
+    const std::uint64_t sum = std::uint64_t{count.lower} + count.upper;
+    const std::uint64_t spare = range.room() - sum;
+    const auto spare_below = static_cast<std::uint32_t>(spare * count.lower / sum);
+    const auto buffer = static_cast<std::uint8_t>(1 - range.buffer);
+    Halves halves{{.buffer = buffer}, {.buffer = buffer}};
+    halves.lower.begin = range.begin - range.spare_below;
+    halves.lower.end = halves.lower.begin + count.lower;
+    halves.lower.spare_above = spare_below;
+    halves.upper.begin = halves.lower.end + spare_below;
+    halves.upper.end = halves.upper.begin + count.upper;
+    halves.upper.spare_above = static_cast<std::uint32_t>(spare) - spare_below;
+    return halves;
+}
 
 float extent_factor_of(const Box8& box) noexcept {
     float longest = 0.0F;
@@ -121,7 +136,11 @@ ObjectSplit Splitter::find_in_chunks(const Range& range, const BinMapping& mappi
 
 Halves Splitter::halve(const Range& range) const {
     const std::uint32_t middle = range.begin + (range.size() + 1) / 2;
-    return {measured(range.begin, middle, range.buffer), measured(middle, range.end, range.buffer)};
+    Halves halves{measured(range.begin, middle, range.buffer),
+                  measured(middle, range.end, range.buffer)};
+    halves.lower.spare_below = range.spare_below;
+    halves.upper.spare_above = range.spare_above;
+    return halves;
 }
 
 Halves Splitter::divide(const Range& range, const ObjectSplit& split,
@@ -170,12 +189,6 @@ Halves Splitter::divide_in_chunks(const Range& range, const ObjectSplit& split,
         halves.upper.centroids.grow(part.upper);
     }
     return halves;
-}
-
-Halves Splitter::split(const Range& range) const {
-    BinMapping mapping{};
-    const ObjectSplit split = find(range, mapping);
-    return divide(range, split, mapping);
 }
 
 }  // namespace coppice::wide

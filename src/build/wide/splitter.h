@@ -14,12 +14,21 @@ struct Range {
     std::uint8_t buffer = 0;
     Box8 box = Box8::make_empty();
     Box8 centroids = Box8::make_empty();
+    std::uint32_t spare_below = 0;  ///< places before `begin` that are free, in both buffers
+    std::uint32_t spare_above = 0;  ///< and from `end` on
 
     [[nodiscard]] std::uint32_t size() const noexcept { return end - begin; }
+
+    /// How many references have room where it is.
+    [[nodiscard]] std::uint32_t room() const noexcept { return spare_below + size() + spare_above; }
 };
 
 /// The two halves of a range that was split.
 using Halves = Sides<Range>;
+
+/// Places for so many references in the room of a range, in the other buffer; they share what is
+/// to spare by their numbers. Their boxes are empty.
+[[nodiscard]] Halves place_halves(const Range& range, Sides<std::uint32_t> count) noexcept;
 
 /// Splits ranges of references by binned SAH over their centroids, moving them from one of two
 /// buffers into the other. The same result for any number of threads.
@@ -48,9 +57,6 @@ public:
 
     /// Divides a range in the middle as it stands.
     [[nodiscard]] Halves halve(const Range& range) const;
-
-    /// find() and divide().
-    [[nodiscard]] Halves split(const Range& range) const;
 
 private:
     [[nodiscard]] ObjectSplit find_in_chunks(const Range& range, const BinMapping& mapping) const;

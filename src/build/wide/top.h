@@ -37,7 +37,8 @@ struct Top {
                                    const Kernels& kernels);
 
 /// Sends every reference of `from` to the cell it belongs to: `to` receives them cell by cell, in
-/// their order. Returns the cells' ranges in buffer 1, without boxes.
+/// their order. If it is longer than `from`, cells share what is to spare by their sizes. Returns
+/// the cells' ranges in buffer 1, without boxes.
 [[nodiscard]] std::vector<Range> fill_cells(const Top& top, std::span<Reference> from,
                                             std::span<Reference> to);
 

@@ -71,7 +71,7 @@ public:
         if (is_certain && (first > last_ || last < ray_.t_min)) return false;
         if (is_certain && last < first_ && first >= ray_.t_min) {
             keep(block, lane, first, last);
-        } else {
+        } else if (block_ == nullptr || block.id[lane] != block_->id[lane_]) {
             consider_decided(block, lane);
         }
         return false;

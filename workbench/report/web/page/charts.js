@@ -12,11 +12,31 @@ const options = (id) => ({
   scaleFactor: 2,
 });
 
+const narrowPlot = 480; // pixels
+
+// Legends with fewer columns, of one where labels may be long.
+function withNarrowLegends(part) {
+  if (Array.isArray(part)) return part.map(withNarrowLegends);
+  if (part === null || typeof part !== "object") return part;
+  const copy = Object.entries(part).map(([key, value]) => {
+    if (key !== "legend" || value === null) return [key, withNarrowLegends(value)];
+    return [key, { ...value, columns: value.labelLimit > 300 ? 1 : 2 }];
+  });
+  return Object.fromEntries(copy);
+}
+
+function specificationFor(plot) {
+  const chart = specification(plot.dataset.chart);
+  if (plot.clientWidth >= narrowPlot) return chart;
+  const { datasets, data, ...rest } = chart;
+  return { ...withNarrowLegends(rest), ...(datasets && { datasets }), ...(data && { data }) };
+}
+
 export async function drawCharts() {
   for (const plot of document.querySelectorAll("[data-chart]")) {
     const id = plot.dataset.chart;
     try {
-      views.set(plot, (await vegaEmbed(plot, specification(id), options(id))).view);
+      views.set(plot, (await vegaEmbed(plot, specificationFor(plot), options(id))).view);
       const menu = plot.querySelector("summary");
       if (menu) menu.setAttribute("aria-label", "Save this chart");
     } catch (error) {
