@@ -33,6 +33,15 @@ void add_threads(CLI::App& parser, int& threads) {
     add_whole(parser, {"--threads", "N", "Use at most N threads; 0 = all", "0"}, threads, 0, 1024);
 }
 
+void add_memory_limit(CLI::App& parser, std::uint64_t& limit_bytes, const std::string& meaning) {
+    const auto read = [&limit_bytes](const std::string& given) {
+        limit_bytes = parse_bytes("--memory-limit", given);
+    };
+    parser.add_option_function<std::string>("--memory-limit", read, meaning)
+        ->type_name("SIZE")
+        ->default_str("none");
+}
+
 void add_method(CLI::App& parser, MethodRequest& request, const std::string& seed_meaning) {
     add_name(parser,
              {"--method", "NAME", listing("How it is built", names_in(method_registry())),
@@ -53,16 +62,9 @@ void add_method(CLI::App& parser, MethodRequest& request, const std::string& see
         parser.get_option(name)->default_str("the method's");
     }
     add_threads(parser, request.threads);
-    parser
-        .add_option_function<std::string>(
-            "--memory-limit",
-            [&request](const std::string& given) {
-                request.memory_limit_bytes = parse_bytes("--memory-limit", given);
-            },
-            "Fail early if scene and build would take more: 512M, 2G;\n"
-            "--method auto takes a smaller method then")
-        ->type_name("SIZE")
-        ->default_str("none");
+    add_memory_limit(parser, request.memory_limit_bytes,
+                     "Fail early if scene and build would take more: 512M, 2G;\n"
+                     "--method auto takes a smaller method then");
 }
 
 BuildOptions options_of(const MethodRequest& request) {

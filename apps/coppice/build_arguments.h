@@ -23,6 +23,9 @@ CLI::Option* add_sampler(CLI::App& parser, std::string& sampler);
 /// --threads.
 void add_threads(CLI::App& parser, int& threads);
 
+/// --memory-limit, with what happens to a build that would pass it.
+void add_memory_limit(CLI::App& parser, std::uint64_t& limit_bytes, const std::string& meaning);
+
 /// A method, and what is to be different from it.
 struct MethodRequest {
     static constexpr double not_given = std::numeric_limits<double>::quiet_NaN();

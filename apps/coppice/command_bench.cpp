@@ -2,6 +2,7 @@
 
 #include "coppice/build/method.h"
 
+#include "build_arguments.h"
 #include "command.h"
 #include "interrupts.h"
 #include "json_file.h"
@@ -68,6 +69,8 @@ void add_how(CLI::App& parser, lab::BenchOptions& options) {
                     });
     add_whole(parser, {"--runs", "N", "Runs after the first; medians are taken", "5"}, options.runs,
               1, lab::BenchOptions::max_runs);
+    add_memory_limit(parser, options.memory_limit_bytes,
+                     "Fail early if scene and a build of ours would take more: 512M, 2G");
     add_list_option(
         parser,
         {"--rays", "LIST", "Kinds of rays: " + lab::names_of(lab::rendering_ray_kinds()),

@@ -2,6 +2,7 @@
 
 #include "coppice/build/method.h"
 
+#include "build_arguments.h"
 #include "command.h"
 #include "interrupts.h"
 #include "json_file.h"
@@ -62,6 +63,8 @@ void add_how_to_measure(CLI::App& parser, lab::TuneOptions& options) {
               options.threads, 0, 1024);
     add_whole(parser, {"--runs", "N", "Runs after the first; medians are taken", "3"}, options.runs,
               1, lab::BenchOptions::max_runs);
+    add_memory_limit(parser, options.memory_limit_bytes,
+                     "Fail early if scene and build would take more: 512M, 2G");
     add_whole(parser, {"--size", "N", "Pixels of the image, each way", "512"}, options.size, 1,
               lab::BenchOptions::max_size);
     add_camera(parser, options.camera);

@@ -137,6 +137,8 @@ void add_experiment_arguments(CLI::App& parser, ExperimentRequest& request) {
     add_samplers(parser, request);
     add_rays(parser, request.options);
     add_how_to_build(parser, request.options.build);
+    add_memory_limit(parser, request.options.memory_limit_bytes,
+                     "Leave trees out that would take more with the scene: 512M, 2G");
     add_text(parser,
              {"--out", "DIR",
               "Folder for results.csv, results.json, report.html and experiment.json\n"

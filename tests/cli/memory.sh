@@ -19,6 +19,24 @@ refused '^coppice: even fast would take about ' coppice build balls.ply --memory
 refused '^coppice: even fast would take about ' coppice trace balls.ply --memory-limit 1mib
 refused '^coppice: even fast would take about ' \
     coppice render balls.ply -o a.png --memory-limit 0.001g
+refused '^coppice: balls, exact: the build would take about ' \
+    coppice bench balls.ply --methods exact --peers embree-medium --runs 1 --size 20 --memory-limit 2M
+refused '^coppice: balls, binned: the build would take about ' \
+    coppice tune balls.ply --runs 1 --size 20 --memory-limit 2M
+
+# An experiment goes on without the trees that would take more, also when it is resumed or replayed.
+count_rows() { grep -c '^balls,triangles,fixed,' "$1/results.csv" || true; }
+run=(coppice experiment balls.ply --primitives triangles --protocols fixed --rates 100,1 --no-pictures)
+expect_exit 0 "${run[@]}" --out all
+expect_equal "$(count_rows all)" 2
+expect_exit 0 "${run[@]}" --out some --memory-limit 3M
+expect_stderr_one_line
+expect_stderr "^coppice: note: balls, triangles, fixed, 100 %, seed 1: the build would take about $size .*: no row of it$"
+expect_equal "$(count_rows some)" 1
+expect_exit 0 coppice experiment --replay some/experiment.json --out again
+expect_equal "$(count_rows again)" 1
+expect_exit 0 "${run[@]}" --out none --memory-limit 1K
+expect_equal "$(count_rows none)" 0
 
 # `auto` takes less if it must, and says so; what it took is within the limit.
 peak() { # peak ARG...: scene and build together

@@ -154,7 +154,8 @@ private:
             entry.contestant = std::move(contestant);
         };
         for (const std::string& name : run_.options.methods) {
-            add(name, false, make_contestant(find_variant(name), threads));
+            add(name, false,
+                make_contestant(find_variant(name), threads, run_.options.memory_limit_bytes));
         }
         for (const std::string& name : run_.options.peers) {
             add(name, true, find_named(peer_registry(), name, "peer").make(threads));
@@ -193,7 +194,7 @@ private:
     void build_first(Entry& entry, bool is_reference) {
         begin_turn(entry, "first run");
         const Timer timer;
-        const BuildFigures figures = entry.contestant->build(mesh_, true);
+        const BuildFigures figures = build_within_limit(entry);
         const auto triangle_count =
             static_cast<double>(std::max<std::uint64_t>(1, scene_.triangles));
         entry.row.build_seconds_first = figures.wall_seconds;
@@ -209,6 +210,17 @@ private:
             compare(entry, kind.kind, is_reference);
         }
         end_turn(entry, timer);
+    }
+
+    /// Whose limit is passed is not in the builders' message.
+    [[nodiscard]] BuildFigures build_within_limit(const Entry& entry) const {
+        try {
+            return entry.contestant->build(mesh_, true);
+        } catch (const Error& error) {
+            if (error.code() != ErrorCode::limit) throw;
+            throw Error(ErrorCode::limit,
+                        fmt::format("{}, {}: {}", scene_.scene, entry.row.method, error.what()));
+        }
     }
 
     /// Traces one kind of rays and compares the answers; the reference's become those expected, and

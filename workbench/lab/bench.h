@@ -24,7 +24,7 @@ struct BenchObserver {
 /// contestants take turns, ours and peers alternately: each builds, traces all rays and is freed.
 /// The rays are made once from the reference's hits and are the same for all.
 /// Throws Error(invalid_argument) for options out of range, Error(unsupported) for a scene without
-/// triangles, and like load_mesh().
+/// triangles, Error(limit) for a build that would pass the memory limit, and like load_mesh().
 [[nodiscard]] BenchResult run_bench(const BenchOptions& options,
                                     const BenchObserver& observer = {});
 

@@ -71,6 +71,7 @@ void to_json(nlohmann::json& json, const BenchOptions& options) {
             {"up", vector_json(options.camera.up)},
             {"fov", options.camera.fov ? nlohmann::json(*options.camera.fov) : nlohmann::json()},
             {"seed", options.seed}};
+    if (options.memory_limit_bytes > 0) json["memory_limit_bytes"] = options.memory_limit_bytes;
 }
 
 }  // namespace coppice::lab

@@ -23,9 +23,10 @@ struct BenchOptions {
     std::vector<int> threads{1, 2};    ///< distinct, each >= 1
     int runs = 5;                      ///< measured runs after the first, in [1, max_runs]
     std::vector<RayKind> rays{RayKind::primary, RayKind::shadow, RayKind::diffuse};
-    int size = 1024;            ///< of the image, in pixels each way, in [1, max_size]
-    render::CameraWish camera;  ///< for all scenes
-    std::uint64_t seed = 1;     ///< of the bounces' directions
+    int size = 1024;                       ///< of the image, in pixels each way, in [1, max_size]
+    render::CameraWish camera;             ///< for all scenes
+    std::uint64_t seed = 1;                ///< of the bounces' directions
+    std::uint64_t memory_limit_bytes = 0;  ///< of a scene and a build of ours; 0: none
 };
 
 /// Throws Error(invalid_argument) naming the first option that is outside its range.

@@ -49,8 +49,11 @@ public:
                           std::span<std::uint8_t> flags) const noexcept = 0;
 };
 
-/// One of our methods, on so many threads.
-[[nodiscard]] std::unique_ptr<Contestant> make_contestant(const Variant& variant, int threads);
+/// One of our methods, on so many threads. With a limit on what mesh and build may take, a measured
+/// build throws Error(limit) if it would pass it, or takes a smaller preset as `auto` does, and so
+/// do those after it.
+[[nodiscard]] std::unique_ptr<Contestant> make_contestant(const Variant& variant, int threads,
+                                                          std::uint64_t memory_limit_bytes = 0);
 
 /// Another library's structure under its name, with one line on what it is.
 struct Peer {

@@ -7,6 +7,7 @@
 #include "coppice/trace/wide_tracer.h"
 
 #include "lab/contestant.h"
+#include "lab/memory_limit.h"
 
 #include <algorithm>
 #include <optional>
@@ -43,12 +44,15 @@ BuildFigures figures_of(bool is_measured, BuildFigures last, Build&& build) {
 /// A k-d tree.
 class KdContestant final : public Contestant {
 public:
-    explicit KdContestant(BuildOptions options) : options_(std::move(options)) {}
+    KdContestant(BuildOptions options, std::uint64_t memory_limit_bytes)
+        : options_(std::move(options)), memory_limit_bytes_(memory_limit_bytes) {}
 
     BuildFigures build(TriangleMeshView mesh, bool is_measured) override {
         mesh_ = mesh;
         return figures_ = figures_of(is_measured, figures_, [&](BuildReport* report) {
-                   tree_ = build_kd_tree(mesh, options_, report);
+                   const BuildControl control =
+                       limit_memory(is_measured ? memory_limit_bytes_ : 0, mesh);
+                   tree_ = build_kd_tree(mesh, options_, report, control);
                });
     }
 
@@ -69,6 +73,7 @@ public:
 
 private:
     BuildOptions options_;
+    std::uint64_t memory_limit_bytes_;
     TriangleMeshView mesh_;
     KdTree tree_;
     BuildFigures figures_;
@@ -77,11 +82,15 @@ private:
 /// An 8-wide tree.
 class WideContestant final : public Contestant {
 public:
-    explicit WideContestant(BuildOptions options) : options_(std::move(options)) {}
+    WideContestant(BuildOptions options, std::uint64_t memory_limit_bytes)
+        : options_(std::move(options)), memory_limit_bytes_(memory_limit_bytes) {}
 
     BuildFigures build(TriangleMeshView mesh, bool is_measured) override {
         return figures_ = figures_of(is_measured, figures_, [&](BuildReport* report) {
-                   tracer_.emplace(build_wide_bvh(mesh, options_, report));
+                   const BuildControl control =
+                       limit_memory(is_measured ? memory_limit_bytes_ : 0, mesh);
+                   tracer_.emplace(build_wide_bvh(mesh, options_, report, control));
+                   if (report != nullptr) options_.wide.preset = report->preset;
                });
     }
 
@@ -102,17 +111,21 @@ public:
 
 private:
     BuildOptions options_;
+    std::uint64_t memory_limit_bytes_;
     std::optional<WideTracer> tracer_;
     BuildFigures figures_;
 };
 
 }  // namespace
 
-std::unique_ptr<Contestant> make_contestant(const Variant& variant, int threads) {
+std::unique_ptr<Contestant> make_contestant(const Variant& variant, int threads,
+                                            std::uint64_t memory_limit_bytes) {
     BuildOptions options = variant.options;
     options.threads = threads;
-    if (variant.tree == TreeKind::wide) return std::make_unique<WideContestant>(std::move(options));
-    return std::make_unique<KdContestant>(std::move(options));
+    if (variant.tree == TreeKind::wide) {
+        return std::make_unique<WideContestant>(std::move(options), memory_limit_bytes);
+    }
+    return std::make_unique<KdContestant>(std::move(options), memory_limit_bytes);
 }
 
 }  // namespace coppice::lab

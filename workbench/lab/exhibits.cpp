@@ -7,6 +7,7 @@
 #include "coppice/geom/point_cloud.h"
 #include "coppice/io/load_mesh.h"
 
+#include "lab/memory_limit.h"
 #include "lab/protocol.h"
 #include "lab/room_view.h"
 #include "lab/scene_outline.h"
@@ -127,7 +128,7 @@ private:
     }
 
     void take_picture() {
-        const auto tracer = picture_tracer(mesh_.view(), options_.build.threads);
+        const auto tracer = picture_tracer(mesh_.view(), options_.build.threads, control());
         camera_ = choose_camera(mesh_.view(), *tracer, {}, 16.0 / 9.0).camera;
         exhibits_.picture_camera = render::camera_text(camera_);
         exhibits_.picture = render_picture(picture_scene(), *tracer);
@@ -145,7 +146,12 @@ private:
         options.sample.sampler = sampler_;
         const PointCloudView points(points_);
         const TriangleMeshView triangles = mesh_.view();
-        return points_.empty() ? build_kd_tree(triangles, options) : build_kd_tree(points, options);
+        return points_.empty() ? build_kd_tree(triangles, options, nullptr, control())
+                               : build_kd_tree(points, options, nullptr, control());
+    }
+
+    [[nodiscard]] BuildControl control() const {
+        return limit_memory(options_.memory_limit_bytes, mesh_.view(), points_);
     }
 
     void inspect(const KdTree& full, const KdTree* other) {

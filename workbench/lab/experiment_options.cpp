@@ -182,6 +182,7 @@ void to_json(json& to, const ExperimentOptions& options) {
           {"threads", build.threads > 0 ? build.threads : hardware_thread_count()},
           {"pictures", options.report_parts == ReportParts::all},
           {"out", options.out.string()}};
+    if (options.memory_limit_bytes > 0) to["memory_limit_bytes"] = options.memory_limit_bytes;
     if (!options.rays.empty()) put_view(options, to);
 }
 
@@ -220,6 +221,7 @@ ExperimentOptions experiment_options_of(const json& from) {
     const bool is_clipped = from.at("clipping") == name_of(Clipping::perfect);
     build.split.clipping = is_clipped ? Clipping::perfect : Clipping::bounding_box;
     from.at("threads").get_to(build.threads);
+    options.memory_limit_bytes = from.value("memory_limit_bytes", std::uint64_t{0});
     const bool has_pictures = from.at("pictures").get<bool>();
     options.report_parts = has_pictures ? ReportParts::all : ReportParts::numbers;
     options.out = from.at("out").get<std::string>();

@@ -63,6 +63,8 @@ struct ExperimentOptions {
     /// What all builds share. Each build's sampler, rate, seed, leaf limit and growth are set by
     /// its protocol; methods take only costs and threads from here.
     BuildOptions build;
+    /// What a scene and a build of ours may take; trees that would take more are left out. 0: none
+    std::uint64_t memory_limit_bytes = 0;
     ReportParts report_parts = ReportParts::all;
     std::filesystem::path out;  ///< the folder for the results; recorded, not written to by the run
 };

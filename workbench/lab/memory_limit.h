@@ -4,6 +4,7 @@
 #include "coppice/geom/triangle_mesh.h"
 
 #include <cstdint>
+#include <span>
 
 namespace coppice::lab {
 
@@ -12,10 +13,11 @@ namespace coppice::lab {
     return mesh.vertices().size_bytes() + mesh.triangles().size_bytes();
 }
 
-/// The limit on what a mesh and its build may take together; 0: none.
-[[nodiscard]] inline BuildControl limit_memory(std::uint64_t limit_bytes,
-                                               TriangleMeshView mesh) noexcept {
-    return {.memory_limit_bytes = limit_bytes, .primitive_bytes = byte_count(mesh)};
+/// The limit on what a mesh, the points made of it and a build may take together; 0: none.
+[[nodiscard]] inline BuildControl limit_memory(std::uint64_t limit_bytes, TriangleMeshView mesh,
+                                               std::span<const Vec3f> points = {}) noexcept {
+    return {.memory_limit_bytes = limit_bytes,
+            .primitive_bytes = byte_count(mesh) + points.size_bytes()};
 }
 
 }  // namespace coppice::lab

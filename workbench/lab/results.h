@@ -95,6 +95,7 @@ struct SceneResult {
     std::vector<ResultRow> rows;
     std::optional<RayOptions> view;  ///< of the rays, if any were asked for and there are triangles
     std::vector<std::string> errors;          ///< what must not be: hits that differ
+    std::vector<std::string> failures;        ///< trees that have no row, and why
     std::vector<Recommendation> recommended;  ///< by recommend(), with the options' tolerance
     std::vector<Recommendation> knees;        ///< by find_knees()
 };

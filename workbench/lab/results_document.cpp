@@ -127,6 +127,7 @@ Json scene_json(const ExperimentOptions& options, const SceneResult& scene) {
     for (const CostParts& parts : decompose_costs(scene.rows)) {
         json["decomposition"].push_back(parts_json(parts));
     }
+    if (options.memory_limit_bytes > 0) json["failures"] = scene.failures;
     if (!options.rays.empty()) {
         json["rays"] = rays_document(scene);
         json["errors"] = scene.errors;

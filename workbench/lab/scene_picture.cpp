@@ -110,11 +110,12 @@ report::Picture draw(const std::vector<float>& values, ColorOf color_of) {
 
 }  // namespace
 
-std::unique_ptr<render::RayTracer> picture_tracer(TriangleMeshView mesh, int threads) {
+std::unique_ptr<render::RayTracer> picture_tracer(TriangleMeshView mesh, int threads,
+                                                  const BuildControl& control) {
     const Method& method = find_method("fast");
     BuildOptions build = method.options();
     build.threads = threads;
-    return render::build_tracer(method, build, mesh);
+    return render::build_tracer(method, build, mesh, nullptr, control);
 }
 
 report::Picture render_picture(const PictureScene& scene, const render::RayTracer& tracer) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/build/build_control.h"
 #include "coppice/geom/triangle_mesh.h"
 #include "coppice/io/mesh_attributes.h"
 #include "coppice/tree/kd_tree.h"
@@ -21,8 +22,9 @@ struct PictureScene {
 };
 
 /// What pictures of a mesh are traced with: the tree `fast`, built for it by at most `threads`
-/// threads. The mesh must outlive it.
-[[nodiscard]] std::unique_ptr<render::RayTracer> picture_tracer(TriangleMeshView mesh, int threads);
+/// threads. The mesh must outlive it. Throws like build_wide_bvh().
+[[nodiscard]] std::unique_ptr<render::RayTracer> picture_tracer(TriangleMeshView mesh, int threads,
+                                                                const BuildControl& control = {});
 
 /// The scene as `coppice render` shows it, in 960 x 540 pixels of 4 samples.
 [[nodiscard]] report::Picture render_picture(const PictureScene& scene,

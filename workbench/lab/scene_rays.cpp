@@ -96,13 +96,13 @@ void take_turns(TimedRun<Run> run, TimedRun<Reference> reference, RayFigures& fi
 }  // namespace
 
 SceneRays::SceneRays(TriangleMeshView mesh, const RayOptions& options,
-                     std::span<const RayKind> kinds, int threads)
+                     std::span<const RayKind> kinds, int threads, const BuildControl& control)
     : threads_(threads) {
     const Method& method = find_method(reference_method());
     BuildOptions build = method.options();
     build.threads = threads;
     run_with_threads(threads, [&] {
-        const TracedTree& tree = reference_.emplace(mesh, method.tree, build);
+        const TracedTree& tree = reference_.emplace(mesh, method.tree, build, control);
         RayMaker maker(mesh, tree, options);
         for (const RayKind kind : kinds) {
             RaySet set{kind, maker.make(kind), {}};

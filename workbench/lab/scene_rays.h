@@ -24,7 +24,7 @@ public:
     /// is kept: its hits and times are what those of all trees are compared with. Throws like
     /// RayMaker and build_wide_bvh().
     SceneRays(TriangleMeshView mesh, const RayOptions& options, std::span<const RayKind> kinds,
-              int threads);
+              int threads, const BuildControl& control = {});
 
     /// Whose hits the others are compared with: a name in method_registry().
     [[nodiscard]] static std::string_view reference_method() noexcept { return "fast"; }

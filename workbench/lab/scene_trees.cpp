@@ -3,10 +3,12 @@
 
 #include "lab/scene_trees.h"
 
+#include "coppice/base/error.h"
 #include "coppice/base/parallel.h"
 #include "coppice/base/timer.h"
 #include "coppice/geom/point_cloud.h"
 
+#include "lab/memory_limit.h"
 #include "lab/scene_rays.h"
 #include "lab/tree_measurement.h"
 
@@ -80,9 +82,13 @@ private:
         std::vector<ResultRow> rows(listed.size());
         std::vector<std::uint32_t> sample_counts;
         std::string left_out;
-        ResultRow reference;
+        ResultRow reference;  // its costs stay NaN if it cannot be built: so do the relative ones
+        reference.report.statistics.sah_cost = std::numeric_limits<double>::quiet_NaN();
+        reference.report.stages.build.wall_seconds = std::numeric_limits<double>::quiet_NaN();
         for (const double percent : run_.build_order(family.builder)) {
-            ResultRow row = row_of(family, percent, measure(family, percent));
+            std::optional<TreeFigures> figures = measure_or_fail(family, percent);
+            if (!figures) continue;
+            ResultRow row = row_of(family, percent, *std::move(figures));
             if (percent == all_percent) reference = row;
             row.relative_cost =
                 ratio(row.report.statistics.sah_cost, reference.report.statistics.sah_cost);
@@ -143,13 +149,31 @@ private:
         return row;
     }
 
+    /// The figures of a tree, or nothing if it would pass a limit: that is told, and not the end.
+    std::optional<TreeFigures> measure_or_fail(const TreeFamily& family, double percent) {
+        try {
+            return measure(family, percent);
+        } catch (const Error& error) {
+            if (error.code() != ErrorCode::limit) throw;
+            result_.failures.push_back(fmt::format("{}: {}", family.step(percent), error.what()));
+            run_.note(fmt::format("{}, {}: no row of it", scene_.name, result_.failures.back()));
+            run_.remaining.plan(-work_of(family, percent));
+            return std::nullopt;
+        }
+    }
+
+    [[nodiscard]] double work_of(const TreeFamily& family, double percent) const {
+        return work_of_build(
+            {family.kind, family.builder.name, percent, scene_.count_of(family.kind)});
+    }
+
     TreeFigures measure(const TreeFamily& family, double percent) {
         run_.tell(
             {scene_.name, family.step(percent), rows_done_, row_count_, run_.remaining.seconds()});
         const auto& [kind, builder, sampler, seed] = family;
         const BuildOptions options =
             options_of(builder, run_.options.build, sampler, percent, seed);
-        const double work = work_of_build({kind, builder.name, percent, scene_.count_of(kind)});
+        const double work = work_of(family, percent);
         const RowKey key{
             scene_.name, std::string(name_of(kind)), std::string(builder.name), percent, seed,
             sampler};
@@ -167,7 +191,7 @@ private:
         TreeFigures figures = measure_tree(
             builder, options,
             {kind == PrimitiveKind::points ? PrimitiveSetView(points) : PrimitiveSetView(triangles),
-             triangles, rays});
+             triangles, rays, control()});
         run_.remaining.finish(work, timer.seconds());
         if (run_.observer.on_row) run_.observer.on_row(key, figures);
         return figures;
@@ -192,12 +216,18 @@ private:
         return points_;
     }
 
+    /// The limit of memory, beside the mesh and the points that are there.
+    [[nodiscard]] BuildControl control() const {
+        return limit_memory(run_.options.memory_limit_bytes, mesh_.view(), points_);
+    }
+
     /// The scene's rays, made when the first tree needs them.
     const SceneRays* rays_for(PrimitiveKind kind) {
         if (kind == PrimitiveKind::points || !result_.view) return nullptr;
         if (!rays_) {
             const ExperimentOptions& options = run_.options;
-            rays_.emplace(mesh_.view(), *result_.view, options.rays, options.build.threads);
+            rays_.emplace(mesh_.view(), *result_.view, options.rays, options.build.threads,
+                          control());
         }
         return &*rays_;
     }

@@ -21,7 +21,7 @@ void trace(AnyTree tree, const MeasuredScene& scene, TreeFigures& figures) {
 
 TreeFigures measure_kd(const BuildOptions& options, const MeasuredScene& scene) {
     TreeFigures figures;
-    KdTree tree = build_kd_tree(scene.primitives, options, &figures.report);
+    KdTree tree = build_kd_tree(scene.primitives, options, &figures.report, scene.control);
     const bool is_sampled = options.growth == Growth::none && options.sample.rate < 1.0;
     if (is_sampled) figures.unsampled_tests = unsampled_tests(tree);
     trace(std::move(tree), scene, figures);
@@ -30,7 +30,7 @@ TreeFigures measure_kd(const BuildOptions& options, const MeasuredScene& scene) 
 
 TreeFigures measure_wide(const BuildOptions& options, const MeasuredScene& scene) {
     TreeFigures figures;
-    trace(build_wide_bvh(scene.mesh, options, &figures.report), scene, figures);
+    trace(build_wide_bvh(scene.mesh, options, &figures.report, scene.control), scene, figures);
     return figures;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/build/build_control.h"
 #include "coppice/geom/primitive_set.h"
 #include "coppice/geom/triangle_mesh.h"
 #include "coppice/tree/kd_tree.h"
@@ -15,6 +16,7 @@ struct MeasuredScene {
     PrimitiveSetView primitives;
     TriangleMeshView mesh;  ///< what trees that are not k-d trees are built over, and what is hit
     const SceneRays* rays = nullptr;  ///< null: the tree is not traced
+    BuildControl control{};           ///< of the builds, but for a peer's
 };
 
 /// Builds a tree, measures it, traces the rays, and frees it. The report of a peer has times and

@@ -50,7 +50,8 @@ BenchOptions bench_options(const TuneOptions& options) {
             .rays = options.rays,
             .size = options.size,
             .camera = options.camera,
-            .seed = options.seed};
+            .seed = options.seed,
+            .memory_limit_bytes = options.memory_limit_bytes};
 }
 
 TuneRow make_row(const BenchScene& scene, const BenchRow& measured) {

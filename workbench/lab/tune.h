@@ -20,9 +20,10 @@ struct TuneOptions {
     int threads = 0;                           ///< 0 = all the hardware has
     int runs = 3;                              ///< measured builds after the first
     std::vector<RayKind> rays{RayKind::primary, RayKind::shadow, RayKind::diffuse};
-    int size = 512;             ///< of the image, in pixels each way
-    render::CameraWish camera;  ///< for all scenes
-    std::uint64_t seed = 1;     ///< of the bounces' directions
+    int size = 512;                        ///< of the image, in pixels each way
+    render::CameraWish camera;             ///< for all scenes
+    std::uint64_t seed = 1;                ///< of the bounces' directions
+    std::uint64_t memory_limit_bytes = 0;  ///< of a scene and a build of ours; 0: none
 };
 
 /// A method with a sample, and what an image costs with it.

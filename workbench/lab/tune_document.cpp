@@ -87,6 +87,7 @@ Json options_json(const TuneOptions& options) {
               {"rates", options.percents}, {"threads", options.threads},
               {"runs", options.runs},      {"size", options.size},
               {"seed", options.seed},      {"kinds", Json::array()}};
+    if (options.memory_limit_bytes > 0) json["memory_limit_bytes"] = options.memory_limit_bytes;
     for (const RayKind kind : options.rays) {
         json["kinds"].push_back(rendering_ray_kinds()[static_cast<std::size_t>(kind)].name);
     }
