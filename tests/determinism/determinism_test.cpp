@@ -14,8 +14,8 @@
 #include "render/ray_tracer.h"
 #include "render/render.h"
 #include "store/checksum.h"
-#include "support/isa.h"
 #include "support/effort.h"
+#include "support/isa.h"
 #include "support/more_threads.h"
 
 #include <gtest/gtest.h>
