@@ -62,6 +62,11 @@ std::vector<report::SceneExhibits> make_exhibits(const lab::ExperimentOptions& o
     return exhibits;
 }
 
+/// As JSON; names need not be UTF-8.
+std::string text_of(const nlohmann::json& value) {
+    return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 /// Throws UsageError if options were given that are not those of the run to be resumed.
 void require_same_options(const ExperimentRequest& request, const lab::Journal& journal) {
     nlohmann::json given = request.options;
@@ -73,7 +78,7 @@ void require_same_options(const ExperimentRequest& request, const lab::Journal& 
         if (begun[name] == value) continue;
         throw UsageError(fmt::format(
             "--resume: the run in {} was begun with {} {}, not {}; give the same options, or none",
-            request.resume, name, begun[name].dump(), value.dump()));
+            request.resume, name, text_of(begun[name]), text_of(value)));
     }
 }
 

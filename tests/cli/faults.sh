@@ -78,6 +78,21 @@ expect_exit 0 coppice experiment "$name.ply" --rates 50 --no-pictures --out "$na
 is_json <"$name/results.json"
 expect_exit 0 coppice compare "$name" "$name"
 
+# Such scenes are found again, and told from each other, by runs that go on or begin again.
+coppice generate soup --triangles 90 -o $'\xfe.ply' >/dev/null
+coppice generate soup --triangles 80 -o $'\xff.ply' >/dev/null
+run=(coppice experiment $'\xfe.ply' $'\xff.ply' --primitives triangles --protocols fixed --rates 100 --no-pictures)
+expect_exit 0 "${run[@]}" --out $'\xfe'
+counts() { cut -d, -f2-3,6-11 "$1/results.csv"; }
+expect_exit 0 coppice experiment --replay $'\xfe/experiment.json'
+expect_equal "$(counts $'\xfe-replay')" "$(counts $'\xfe')"
+(ulimit -f 64; "${run[@]}" --out cut) >/dev/null 2>&1 && fail 'no limit was met' # its journal is left
+[[ -s cut/unfinished.jsonl ]] || fail 'nothing to resume'
+expect_exit 2 coppice experiment $'\xfd.ply' --resume cut
+expect_stderr_one_line
+expect_exit 0 "${run[@]}" --resume cut
+expect_equal "$(counts cut)" "$(counts $'\xfe')"
+
 long=$(printf '%010000d' 0)
 for how in "info $long.ply" "info $(printf '%0100d/' {1..99})x.ply" "build balls.ply -o $long.cpk" \
     "render balls.ply -o $long.png" "check $long balls.ply" "check tree.cpk $long" \

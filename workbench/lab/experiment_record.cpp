@@ -11,9 +11,11 @@
 #include <xxhash.h>
 
 #include <cerrno>
+#include <charconv>
 #include <fstream>
 #include <memory>
 #include <system_error>
+#include <utility>
 
 namespace coppice::lab {
 
@@ -23,7 +25,40 @@ using nlohmann::json;
 
 constexpr int record_version = 1;
 
+/// A file's name under a key, and under key_hex if it is not UTF-8.
+void put_name(json& to, const std::string& key, const std::filesystem::path& file) {
+    to[key] = file.string();
+    if (const auto hex = hex_unless_utf8(file.string())) to[key + "_hex"] = *hex;
+}
+
+void read_hex_name(const json& from, const std::string& key, std::filesystem::path& file) {
+    if (!from.contains(key)) return;
+    const auto hex = from.at(key).get<std::string>();
+    std::string name(hex.size() / 2, '\0');
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        unsigned byte = 0;
+        const char* const end = hex.data() + 2 * i + 2;
+        const auto read = std::from_chars(end - 2, end, byte, 16);
+        if (read.ec != std::errc{} || read.ptr != end || hex.size() % 2 != 0) {
+            throw Error(ErrorCode::invalid_argument,
+                        "its " + key + " is not of hexadecimal digits");
+        }
+        name[i] = static_cast<char>(byte);
+    }
+    file = name;
+}
+
 }  // namespace
+
+std::optional<std::string> hex_unless_utf8(const std::string& name) {
+    const std::string text = json(name).dump(-1, ' ', true, json::error_handler_t::replace);
+    if (json::parse(text).get<std::string>() == name) return std::nullopt;
+    std::string hex;
+    for (const char byte : name) {
+        hex += fmt::format("{:02x}", static_cast<unsigned char>(byte));
+    }
+    return hex;
+}
 
 FileContent content_of(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
@@ -65,10 +100,11 @@ void to_json(json& to, const ExperimentRecord& record) {
           {"options", given_options_json(record.options)},
           {"scenes", json::array()}};
     for (std::size_t i = 0; i < record.contents.size(); ++i) {
-        to["scenes"].push_back({{"file", record.options.scenes[i].string()},
-                                {"bytes", record.contents[i].byte_count},
-                                {"xxh3", record.contents[i].hash}});
+        json scene{{"bytes", record.contents[i].byte_count}, {"xxh3", record.contents[i].hash}};
+        put_name(scene, "file", record.options.scenes[i]);
+        to["scenes"].push_back(std::move(scene));
     }
+    put_name(to["options"], "out", record.options.out);
     to = json::parse(to.dump(-1, ' ', true, json::error_handler_t::replace));
 }
 
@@ -87,6 +123,10 @@ void from_json(const json& from, ExperimentRecord& record) {
     if (record.contents.size() != record.options.scenes.size()) {
         throw Error(ErrorCode::invalid_argument, "it does not know all its scenes");
     }
+    for (std::size_t i = 0; i < record.contents.size(); ++i) {
+        read_hex_name(from.at("scenes").at(i), "file_hex", record.options.scenes[i]);
+    }
+    read_hex_name(from.at("options"), "out_hex", record.options.out);
 }
 
 ExperimentRecord load_record(const std::filesystem::path& file) {

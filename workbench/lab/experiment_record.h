@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,7 +37,11 @@ struct ExperimentRecord {
 [[nodiscard]] ExperimentRecord record_of(const ExperimentOptions& options,
                                          const std::vector<std::string>& command);
 
-/// A record as JSON. All strings are valid UTF-8: what is not is replaced.
+/// The bytes of a name in hexadecimal digits if JSON cannot hold them: if it is not UTF-8.
+[[nodiscard]] std::optional<std::string> hex_unless_utf8(const std::string& name);
+
+/// A record as JSON. All strings are valid UTF-8: what is not is replaced, and the names of files
+/// are there in hexadecimal digits, too, so that they are found again.
 void to_json(nlohmann::json& json, const ExperimentRecord& record);
 
 /// The record that to_json() made `json` of. Throws nlohmann::json::exception for what is none, and

@@ -129,10 +129,9 @@ std::string row_line(const RowKey& key, const TreeFigures& figures) {
     return row.dump(-1, ' ', true, json::error_handler_t::replace) + '\n';
 }
 
-/// The name as JSON keeps it: what is not UTF-8 is replaced.
+/// With a name that JSON can keep; other names have others.
 RowKey stored_key(RowKey key) {
-    const std::string text = json(key.scene).dump(-1, ' ', true, json::error_handler_t::replace);
-    key.scene = json::parse(text).get<std::string>();
+    if (const auto hex = hex_unless_utf8(key.scene)) key.scene = *hex;
     return key;
 }
 
@@ -232,7 +231,7 @@ std::optional<TreeFigures> Journal::find(const RowKey& key) const {
 
 void Journal::add(const RowKey& key, const TreeFigures& figures) {
     if (file_ == nullptr) make_file();
-    const std::string line = row_line(key, figures);
+    const std::string line = row_line(stored_key(key), figures);
     std::string_view rest = line;
     while (!rest.empty()) {
         const ssize_t written = ::write(file_->descriptor, rest.data(), rest.size());
