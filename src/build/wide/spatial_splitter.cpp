@@ -8,7 +8,7 @@
 
 #include "build/wide/spatial_splitter.h"
 
-#include "coppice/base/parallel.h"
+#include "build/wide/chunks.h"
 
 #include <algorithm>
 #include <array>
@@ -19,18 +19,6 @@
 
 namespace coppice::wide {
 namespace {
-
-constexpr std::size_t chunk_size = 16384;
-constexpr std::size_t parallel_size = 4 * chunk_size;
-
-std::size_t chunk_size_of(std::size_t size) noexcept {
-    return size < parallel_size ? size : chunk_size;
-}
-
-std::size_t chunk_count(std::size_t size) noexcept {
-    const std::size_t chunk = chunk_size_of(size);
-    return (size + chunk - 1) / chunk;
-}
 
 // Of the area of the whole scene: halves that overlap less gain nothing by a cut [Stich2009].
 constexpr float least_overlap = 1e-5F;
@@ -134,11 +122,11 @@ SpatialSplitter::Cut SpatialSplitter::find(const Range& range) const {
     const auto references = this->references(range);
     const Slabs slabs(range.box);
     const std::uint32_t stride = range.size() < sampled_from ? 1 : one_in;
-    const std::size_t chunk = chunk_size_of(references.size());
-    std::vector<std::array<SlabContents, 3>> parts(chunk_count(references.size()));
-    parallel_for_chunks(references.size(), chunk, [&](std::size_t begin, std::size_t end) {
+    const Chunks chunks(references.size());
+    std::vector<std::array<SlabContents, 3>> parts(chunks.count());
+    chunks.for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
         kernels_.bin_pieces(references.subspan(begin, end - begin), stride, mesh_, slabs,
-                            parts[begin / chunk]);
+                            parts[chunk]);
     });
     for (const auto& part : std::span(parts).subspan(1)) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -156,11 +144,10 @@ SpatialSplitter::Cut SpatialSplitter::find(const Range& range) const {
 
 std::optional<Halves> SpatialSplitter::divide(const Range& range, CutPlane plane) const {
     const auto references = this->references(range);
-    const std::size_t chunk = chunk_size_of(references.size());
-    std::vector<Sides<std::uint32_t>> begins(chunk_count(references.size()));  // of each chunk
-    parallel_for_chunks(references.size(), chunk, [&](std::size_t begin, std::size_t end) {
-        begins[begin / chunk] =
-            kernels_.count_pieces(references.subspan(begin, end - begin), mesh_, plane);
+    const Chunks chunks(references.size());
+    std::vector<Sides<std::uint32_t>> begins(chunks.count());  // of each chunk
+    chunks.for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
+        begins[chunk] = kernels_.count_pieces(references.subspan(begin, end - begin), mesh_, plane);
     });
     Sides<std::uint32_t> sum{0, 0};
     for (Sides<std::uint32_t>& begin : begins) {
@@ -172,12 +159,12 @@ std::optional<Halves> SpatialSplitter::divide(const Range& range, CutPlane plane
     Halves halves = place_halves(range, sum);
     Reference* const out = buffers_[halves.lower.buffer].data();
     std::vector<Sides<Measure>> parts(begins.size());
-    parallel_for_chunks(references.size(), chunk, [&](std::size_t begin, std::size_t end) {
-        const Sides<std::uint32_t>& first = begins[begin / chunk];
+    chunks.for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
+        const Sides<std::uint32_t>& first = begins[chunk];
         kernels_.write_pieces(
             references.subspan(begin, end - begin), mesh_, plane,
             {out + halves.lower.begin + first.lower, out + halves.upper.begin + first.upper},
-            parts[begin / chunk]);
+            parts[chunk]);
     });
     for (const Sides<Measure>& part : parts) {
         add(part.lower, halves.lower);

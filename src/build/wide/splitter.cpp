@@ -6,7 +6,7 @@
 
 #include "build/wide/splitter.h"
 
-#include "coppice/base/parallel.h"
+#include "build/wide/chunks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +15,6 @@
 
 namespace coppice::wide {
 namespace {
-
-constexpr std::size_t chunk_size = 16384;
-constexpr std::size_t parallel_size = 4 * chunk_size;
 
 BinMapping map_bins(const Range& range) {
     BinMapping mapping{};
@@ -30,18 +27,6 @@ BinMapping map_bins(const Range& range) {
         mapping.scale[axis] = std::isfinite(scale) && extent > 0.0F ? scale : 0.0F;
     }
     return mapping;
-}
-
-// Calls body(chunk, begin, end) for chunks of a range, at the same time where it is worth it.
-template <typename Body>
-void for_chunks(std::size_t size, Body&& body) {
-    parallel_for_chunks(size, chunk_size, [&](std::size_t begin, std::size_t end) {
-        body(begin / chunk_size, begin, end);
-    });
-}
-
-std::size_t chunk_count(std::size_t size) {
-    return (size + chunk_size - 1) / chunk_size;
 }
 
 std::uint32_t count_lower(std::span<const Reference> references, const ObjectSplit& split,
@@ -90,12 +75,13 @@ float extent_factor_of(const Box8& box) noexcept {
 Range Splitter::measured(std::uint32_t begin, std::uint32_t end, std::uint8_t buffer) const {
     Range range{.begin = begin, .end = end, .buffer = buffer};
     const auto references = this->references(range);
-    if (references.size() < parallel_size) {
+    if (!Chunks::are_worth_it(references.size())) {
         kernels_.unite(references, range.box, range.centroids);
         return range;
     }
-    std::vector<Range> parts(chunk_count(references.size()));
-    for_chunks(references.size(), [&](std::size_t chunk, std::size_t first, std::size_t last) {
+    const Chunks chunks(references.size());
+    std::vector<Range> parts(chunks.count());
+    chunks.for_each([&](std::size_t chunk, std::size_t first, std::size_t last) {
         kernels_.unite(references.subspan(first, last - first), parts[chunk].box,
                        parts[chunk].centroids);
     });
@@ -108,7 +94,7 @@ Range Splitter::measured(std::uint32_t begin, std::uint32_t end, std::uint8_t bu
 
 ObjectSplit Splitter::find(const Range& range, BinMapping& mapping) const {
     mapping = map_bins(range);
-    if (range.size() >= parallel_size) return find_in_chunks(range, mapping);
+    if (Chunks::are_worth_it(range.size())) return find_in_chunks(range, mapping);
     Bins bins;
     clear(bins, mapping.bin_count);
     kernels_.bin(references(range), mapping, bins);
@@ -117,8 +103,9 @@ ObjectSplit Splitter::find(const Range& range, BinMapping& mapping) const {
 
 ObjectSplit Splitter::find_in_chunks(const Range& range, const BinMapping& mapping) const {
     const auto references = this->references(range);
-    std::vector<Bins> parts(chunk_count(references.size()));
-    for_chunks(references.size(), [&](std::size_t chunk, std::size_t first, std::size_t last) {
+    const Chunks chunks(references.size());
+    std::vector<Bins> parts(chunks.count());
+    chunks.for_each([&](std::size_t chunk, std::size_t first, std::size_t last) {
         clear(parts[chunk], mapping.bin_count);
         kernels_.bin(references.subspan(first, last - first), mapping, parts[chunk]);
     });
@@ -146,7 +133,7 @@ Halves Splitter::halve(const Range& range) const {
 Halves Splitter::divide(const Range& range, const ObjectSplit& split,
                         const BinMapping& mapping) const {
     if (split.bin == 0) return halve(range);
-    if (range.size() >= parallel_size) return divide_in_chunks(range, split, mapping);
+    if (Chunks::are_worth_it(range.size())) return divide_in_chunks(range, split, mapping);
     const auto references = this->references(range);
     // Weights of 1 sum up to the number without an error: there are not 2^24 of them.
     const std::uint32_t lower_count = costs_.whole_blocks
@@ -165,8 +152,9 @@ Halves Splitter::divide(const Range& range, const ObjectSplit& split,
 Halves Splitter::divide_in_chunks(const Range& range, const ObjectSplit& split,
                                   const BinMapping& mapping) const {
     const auto references = this->references(range);
-    std::vector<std::uint32_t> lower_begin(chunk_count(references.size()));  // of each chunk
-    for_chunks(references.size(), [&](std::size_t chunk, std::size_t first, std::size_t last) {
+    const Chunks chunks(references.size());
+    std::vector<std::uint32_t> lower_begin(chunks.count());  // of each chunk
+    chunks.for_each([&](std::size_t chunk, std::size_t first, std::size_t last) {
         lower_begin[chunk] = count_lower(references.subspan(first, last - first), split, mapping);
     });
     std::uint32_t lower_count = 0;
@@ -177,7 +165,7 @@ Halves Splitter::divide_in_chunks(const Range& range, const ObjectSplit& split,
     Halves halves = halves_of(range, split, lower_count);
     Reference* out = buffers_[halves.lower.buffer].data();
     std::vector<Sides<Box8>> parts(lower_begin.size(), {Box8::make_empty(), Box8::make_empty()});
-    for_chunks(references.size(), [&](std::size_t chunk, std::size_t first, std::size_t last) {
+    chunks.for_each([&](std::size_t chunk, std::size_t first, std::size_t last) {
         const std::size_t lower = lower_begin[chunk];
         kernels_.partition(
             references.subspan(first, last - first), {mapping, split.axis, split.bin},
