@@ -64,25 +64,29 @@ void throw_if_stopped() {
     if (tbb::is_current_task_group_canceling()) throw stopped();
 }
 
+// Contexts are made before the ForkJoin: tasks look into them (throw_if_stopped()).
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second) {
+    tbb::task_group_context context;
     ForkJoin both;
     const auto run = [&both](const std::function<void()>& work) {
         const ForkJoin::Task task(both);
         work();
     };
-    tbb::parallel_invoke([&] { run(first); }, [&] { run(second); });
+    tbb::parallel_invoke([&] { run(first); }, [&] { run(second); }, context);
     throw_if_stopped();
 }
 
 void parallel_for_chunks(std::size_t count, std::size_t chunk_size,
                          const std::function<void(std::size_t, std::size_t)>& body) {
     const std::size_t chunk_count = (count + chunk_size - 1) / chunk_size;
+    tbb::task_group_context context;
     ForkJoin all;
-    tbb::parallel_for(std::size_t{0}, chunk_count, [&](std::size_t chunk) {
+    const auto run = [&](std::size_t chunk) {
         const ForkJoin::Task task(all);
         const std::size_t begin = chunk * chunk_size;
         body(begin, std::min(begin + chunk_size, count));
-    });
+    };
+    tbb::parallel_for(std::size_t{0}, chunk_count, run, context);
     throw_if_stopped();
 }
 
