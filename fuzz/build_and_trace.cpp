@@ -141,6 +141,29 @@ void check_kd(FuzzedDataProvider& data, TriangleMeshView mesh, const BuildOption
     }
 }
 
+/// Eight rays that may be traced together, each against itself alone.
+void check_batch(FuzzedDataProvider& data, TriangleMeshView mesh,
+                 std::span<const WideTracer> tracers) {
+    std::array<Ray, 8> rays;
+    rays.fill(take_ray(data, mesh));
+    const Vec3f aside = 0.01F * take_point(data);
+    for (std::size_t i = 1; i < rays.size(); ++i) {
+        rays[i].direction = rays[i - 1].direction + aside;
+        if (data.ConsumeBool()) rays[i].origin = take_target(data, mesh);
+    }
+    for (const WideTracer& tracer : tracers) {
+        std::array<Hit, 8> hits;
+        std::array<bool, 8> flags{};
+        tracer.intersect(rays, hits);
+        tracer.occluded(rays, flags);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const Hit expected = tracer.intersect(rays[i]).value_or(Hit{});
+            expect(hits[i] == expected, "in a batch the hit of the ray alone");
+            expect(flags[i] == tracer.occluded(rays[i]), "in a batch its occlusion");
+        }
+    }
+}
+
 void check_wide(FuzzedDataProvider& data, TriangleMeshView mesh, const BuildOptions& options) {
     const WideBvh tree = build_wide_bvh(mesh, options);
     expect(validate(tree, mesh, 1).empty(), "a sound wide tree");
@@ -159,6 +182,7 @@ void check_wide(FuzzedDataProvider& data, TriangleMeshView mesh, const BuildOpti
                 },
                 [&](const Ray& ray) { return tracer.count_hits(ray); });
         }
+        check_batch(data, mesh, tracers);
     }
 }
 

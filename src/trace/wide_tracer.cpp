@@ -45,16 +45,19 @@ std::uint64_t WideTracer::count_hits(const Ray& ray) const noexcept {
 
 void WideTracer::intersect(std::span<const Ray> rays, std::span<Hit> hits, int threads) const {
     require_room("intersect", rays.size(), hits.size());
-    for_each_query(rays.size(), threads, [&](std::size_t i) {
-        if (!kernels_->closest(tree_, rays[i], hits[i])) hits[i] = Hit{};
+    run_queries(rays.size(), threads, [&](std::size_t begin, std::size_t end) {
+        kernels_->closest_of_each(tree_, rays.subspan(begin, end - begin),
+                                  hits.subspan(begin, end - begin));
     });
 }
 
 void WideTracer::occluded(std::span<const Ray> rays, std::span<bool> is_occluded,
                           int threads) const {
     require_room("occluded", rays.size(), is_occluded.size());
-    for_each_query(rays.size(), threads,
-                   [&](std::size_t i) { is_occluded[i] = kernels_->any(tree_, rays[i]); });
+    run_queries(rays.size(), threads, [&](std::size_t begin, std::size_t end) {
+        kernels_->any_of_each(tree_, rays.subspan(begin, end - begin),
+                              is_occluded.subspan(begin, end - begin));
+    });
 }
 
 }  // namespace coppice

@@ -16,7 +16,7 @@ expect_equal "$(ls)" $'balls.ply\nhills.obj'
 # The JSON has the agreed keys; rows by scene, threads and contestant, in the order asked for.
 mkdir new
 expect_exit 0 coppice bench balls.ply hills.obj "${quick[@]}" --threads 2,1 --methods sweep,exact \
-    --rays diffuse --eye 50,60,70 --look-at 0,0,0 --up=0,0,-1 --fov 60 --seed 3 --json new/b.json
+    --rays diffuse --batched --eye 50,60,70 --look-at 0,0,0 --up=0,0,-1 --fov 60 --seed 3 --json new/b.json
 expect_stdout '^written: new/b.json$'
 expect_equal "$(ls -A new)" b.json
 expect_equal "$(python3 - <<'PY'
@@ -34,7 +34,7 @@ for row in bench["rows"]:
     if not row["peer"]:
         print(row["scene"], row["threads"], row["method"])
 options = bench["options"]
-print(options["eye"], options["up"], options["fov"], options["seed"], options["rays"])
+print(options["eye"], options["up"], options["fov"], options["seed"], options["rays"], options["batched"])
 print(*(view["scene"] for view in options["views"]))
 PY
 )" "balls 2 sweep
@@ -45,7 +45,7 @@ hills 2 sweep
 hills 2 exact
 hills 1 sweep
 hills 1 exact
-[50.0, 60.0, 70.0] [0.0, 0.0, -1.0] 60.0 3 ['diffuse']
+[50.0, 60.0, 70.0] [0.0, 0.0, -1.0] 60.0 3 ['diffuse'] True
 balls hills"
 
 # Embree, where the program has it: its figures, hits that agree, and ratios.

@@ -57,8 +57,9 @@ TEST_P(Contestants, FindWhatBruteForceFinds) {
             EXPECT_EQ(figures.reference_count.has_value(), !GetParam().is_peer);
             std::vector<Hit> hits(rays.size());
             std::vector<std::uint8_t> flags(rays.size());
-            contestant->intersect(rays, hits);
-            contestant->occluded(rays, flags);
+            const Queries queries = run == 0 ? Queries::single : Queries::batched;
+            contestant->intersect(rays, hits, queries);
+            contestant->occluded(rays, flags, queries);
             for (std::size_t i = 0; i < rays.size(); ++i) {
                 const auto expected = brute_force_intersect(mesh.view(), rays[i]);
                 ASSERT_EQ(std::isfinite(hits[i].t), expected.has_value()) << "ray " << i;
@@ -83,12 +84,14 @@ TEST_P(Contestants, KeepToTheEndsOfRays) {
                                 {{0, 0, 5}, {0, 0, 5}}};
     std::vector<Hit> hits(rays.size());
     std::vector<std::uint8_t> flags(rays.size());
-    contestant->intersect(rays, hits);
-    contestant->occluded(rays, flags);
-    EXPECT_EQ(flags, (std::vector<std::uint8_t>{1, 0, 0, 0}));
-    EXPECT_NEAR(hits[0].t, 1.0F, 1e-6F);
-    for (std::size_t i = 1; i < hits.size(); ++i) {
-        EXPECT_TRUE(std::isinf(hits[i].t));
+    for (const Queries queries : {Queries::single, Queries::batched, Queries::coherent}) {
+        contestant->intersect(rays, hits, queries);
+        contestant->occluded(rays, flags, queries);
+        EXPECT_EQ(flags, (std::vector<std::uint8_t>{1, 0, 0, 0}));
+        EXPECT_NEAR(hits[0].t, 1.0F, 1e-6F);
+        for (std::size_t i = 1; i < hits.size(); ++i) {
+            EXPECT_TRUE(std::isinf(hits[i].t));
+        }
     }
 }
 

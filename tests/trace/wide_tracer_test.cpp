@@ -125,6 +125,17 @@ TEST_P(EveryIsa, CountsMoreHitsThanItKeeps) {
     EXPECT_EQ(make_tracer(mesh).count_hits({{0, 0, -1}, {0, 0.1F, 1}}), 1000U);
 }
 
+void expect_batch_like_single(const WideTracer& tracer, std::span<const Ray> rays, int threads) {
+    std::vector<Hit> hits(rays.size());
+    const auto is_occluded = std::make_unique<bool[]>(rays.size());
+    tracer.intersect(rays, hits, threads);
+    tracer.occluded(rays, {is_occluded.get(), rays.size()}, threads);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        ASSERT_EQ(hits[i], tracer.intersect(rays[i]).value_or(Hit{})) << i;
+        ASSERT_EQ(is_occluded[i], tracer.occluded(rays[i])) << i;
+    }
+}
+
 TEST_P(EveryIsa, BatchesAreWhatSingleRaysAre) {
     const TriangleMesh mesh = make_sphere(20, 21);
     const WideTracer tracer = make_tracer(mesh);
@@ -134,17 +145,40 @@ TEST_P(EveryIsa, BatchesAreWhatSingleRaysAre) {
         ray = {2.0F * to_float(random.direction()), to_float(random.direction())};
     }
     for (const int threads : {1, 2, 0}) {
-        std::vector<Hit> hits(rays.size());
-        const auto is_occluded = std::make_unique<bool[]>(rays.size());
-        tracer.intersect(rays, hits, threads);
-        tracer.occluded(rays, {is_occluded.get(), rays.size()}, threads);
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            ASSERT_EQ(hits[i], tracer.intersect(rays[i]).value_or(Hit{}));
-            ASSERT_EQ(is_occluded[i], tracer.occluded(rays[i]));
-        }
+        expect_batch_like_single(tracer, rays, threads);
     }
     std::vector<Hit> too_few(rays.size() - 1);
     EXPECT_THROW(tracer.intersect(rays, too_few), Error);
+}
+
+// Rays that go the same way are traced together: from one point or from several, towards points
+// that are next to each other, vertices and edges among them; with limits of their own, and with
+// some that hit nothing.
+TEST_P(EveryIsa, RaysThatGoTheSameWayAreWhatSingleRaysAre) {
+    for (const Vec3f& offset : {Vec3f{}, Vec3f{148376, 1234, -223423}}) {
+        TriangleMesh mesh = make_sphere(40, 41);
+        for (Vec3f& vertex : mesh.vertices) {
+            vertex = vertex + offset;
+        }
+        const WideTracer tracer = make_tracer(mesh);
+        Random random(6);
+        std::vector<Ray> rays;
+        for (int bundle = 0; bundle < effort(2000); ++bundle) {
+            const Triangle around = mesh.view().triangle(random.below(mesh.view().size()));
+            const Vec3f eye = offset + random.uniform(0, 3) * to_float(random.direction());
+            const float spread = random.below(2) == 0 ? 0.0F : 0.05F;
+            for (int i = 0; i < 8; ++i) {
+                const Vec3f origin = eye + spread * to_float(random.direction());
+                const float share = random.below(3) == 0 ? 0.0F : random.uniform(0, 1);
+                Ray& ray = rays.emplace_back(
+                    ray_through(origin, around[0] + share * (around[1] - around[0])));
+                if (random.below(8) == 0) ray.t_min = random.uniform(0, 1);
+                if (random.below(8) == 0) ray.t_max = random.uniform(0, 2);
+                if (random.below(400) == 0) ray.direction.y = random.below(2) == 0 ? 0.0F : nan;
+            }
+        }
+        expect_batch_like_single(tracer, rays, 1);
+    }
 }
 
 TEST_P(EveryIsa, CountsWhatItDoes) {

@@ -49,9 +49,15 @@ struct Answers {
     std::vector<std::uint8_t> flags;
 };
 
+/// Neighbours of one image start next to each other, and primary and shadow rays go the same way.
+Queries queries_for(RayKind kind, bool is_batched) {
+    if (!is_batched) return Queries::single;
+    return kind == RayKind::diffuse ? Queries::batched : Queries::coherent;
+}
+
 /// Traces all rays of one kind with at most so many threads.
-void trace(const Contestant& contestant, RayKind kind, std::span<const Ray> rays, int threads,
-           Answers& answers) {
+void trace(const Contestant& contestant, RayKind kind, std::span<const Ray> rays, Queries queries,
+           int threads, Answers& answers) {
     constexpr std::size_t chunk_size = 4096;
     const bool is_any_hit = kind == RayKind::shadow;
     answers.hits.resize(is_any_hit ? 0 : rays.size());
@@ -61,9 +67,9 @@ void trace(const Contestant& contestant, RayKind kind, std::span<const Ray> rays
             const std::size_t count = end - begin;
             const auto chunk = rays.subspan(begin, count);
             if (is_any_hit) {
-                contestant.occluded(chunk, std::span(answers.flags).subspan(begin, count));
+                contestant.occluded(chunk, std::span(answers.flags).subspan(begin, count), queries);
             } else {
-                contestant.intersect(chunk, std::span(answers.hits).subspan(begin, count));
+                contestant.intersect(chunk, std::span(answers.hits).subspan(begin, count), queries);
             }
         });
     });
@@ -231,7 +237,8 @@ private:
         if (!is_asked && !makes_rays) return;
         const std::size_t index = index_of(kind);
         Answers answers;
-        trace(*entry.contestant, kind, rays_[index], entry.row.threads, answers);
+        trace(*entry.contestant, kind, rays_[index], queries_for(kind, run_.options.is_batched),
+              entry.row.threads, answers);
         if (makes_rays) make_secondary_rays(answers.hits);
         if (is_reference) {
             expected_[index] = std::move(answers);
@@ -269,12 +276,14 @@ private:
 
     void measure_tracing(Entry& entry, RayKind kind) {
         const std::span<const Ray> rays = rays_[index_of(kind)];
+        const Queries queries = queries_for(kind, run_.options.is_batched);
         const std::size_t warm_up_count = rays.size() / 16;
-        trace(*entry.contestant, kind, rays.first(warm_up_count), entry.row.threads, answers_);
+        trace(*entry.contestant, kind, rays.first(warm_up_count), queries, entry.row.threads,
+              answers_);
         answers_.hits.resize(rays.size());  // no page is touched first while the clock runs
         answers_.flags.resize(rays.size());
         const Timer timer;
-        trace(*entry.contestant, kind, rays, entry.row.threads, answers_);
+        trace(*entry.contestant, kind, rays, queries, entry.row.threads, answers_);
         entry.trace_seconds[index_of(kind)].push_back(timer.seconds());
     }
 

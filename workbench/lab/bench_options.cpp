@@ -65,6 +65,7 @@ void to_json(nlohmann::json& json, const BenchOptions& options) {
             {"threads", options.threads},
             {"runs", options.runs},
             {"rays", rays},
+            {"batched", options.is_batched},
             {"size", options.size},
             {"eye", vector_json(options.camera.eye)},
             {"look_at", vector_json(options.camera.look_at)},

@@ -23,6 +23,7 @@ struct BenchOptions {
     std::vector<int> threads{1, 2};    ///< distinct, each >= 1
     int runs = 5;                      ///< measured runs after the first, in [1, max_runs]
     std::vector<RayKind> rays{RayKind::primary, RayKind::shadow, RayKind::diffuse};
+    bool is_batched = false;               ///< rays are handed over in arrays, not one by one
     int size = 1024;                       ///< of the image, in pixels each way, in [1, max_size]
     render::CameraWish camera;             ///< for all scenes
     std::uint64_t seed = 1;                ///< of the bounces' directions

@@ -25,6 +25,10 @@ struct BuildFigures {
     std::optional<double> sample_share;  ///< of the primitives, in (0, 1]
 };
 
+/// How rays are handed to a library: one by one, as an array, or as an array whose neighbours go
+/// much the same way, where a library wants to be told.
+enum class Queries { single, batched, coherent };
+
 /// A structure to measure: one of our methods or a peer. Built, traced and freed over and over.
 class Contestant {
 public:
@@ -42,11 +46,12 @@ public:
     virtual void clear() noexcept = 0;
 
     /// The closest hit of each ray; t is infinite for a miss. Called from several threads at once.
-    virtual void intersect(std::span<const Ray> rays, std::span<Hit> hits) const noexcept = 0;
+    virtual void intersect(std::span<const Ray> rays, std::span<Hit> hits,
+                           Queries queries) const noexcept = 0;
 
     /// 1 for each ray that hits anything, else 0. Called from several threads at once.
-    virtual void occluded(std::span<const Ray> rays,
-                          std::span<std::uint8_t> flags) const noexcept = 0;
+    virtual void occluded(std::span<const Ray> rays, std::span<std::uint8_t> flags,
+                          Queries queries) const noexcept = 0;
 };
 
 /// One of our methods, on so many threads. With a limit on what mesh and build may take, a measured

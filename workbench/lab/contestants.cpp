@@ -1,4 +1,4 @@
-// Our own methods as contestants: built by the library's functions, traced by its single-ray
+// Our own methods as contestants: built by the library's functions, traced by its
 // queries, as a user would.
 
 #include "coppice/base/timer.h"
@@ -10,6 +10,7 @@
 #include "lab/memory_limit.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -58,14 +59,16 @@ public:
 
     void clear() noexcept override { tree_ = {}; }
 
-    void intersect(std::span<const Ray> rays, std::span<Hit> hits) const noexcept override {
+    // An array is traced one by one.
+    void intersect(std::span<const Ray> rays, std::span<Hit> hits,
+                   Queries /*queries*/) const noexcept override {
         for (std::size_t i = 0; i < rays.size(); ++i) {
             hits[i] = coppice::intersect(tree_, mesh_, rays[i]).value_or(Hit{});
         }
     }
 
-    void occluded(std::span<const Ray> rays,
-                  std::span<std::uint8_t> flags) const noexcept override {
+    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> flags,
+                  Queries /*queries*/) const noexcept override {
         for (std::size_t i = 0; i < rays.size(); ++i) {
             flags[i] = coppice::occluded(tree_, mesh_, rays[i]) ? 1 : 0;
         }
@@ -96,14 +99,22 @@ public:
 
     void clear() noexcept override { tracer_.reset(); }
 
-    void intersect(std::span<const Ray> rays, std::span<Hit> hits) const noexcept override {
+    void intersect(std::span<const Ray> rays, std::span<Hit> hits,
+                   Queries queries) const noexcept override {
+        if (queries != Queries::single) return tracer_->intersect(rays, hits);
         for (std::size_t i = 0; i < rays.size(); ++i) {
             hits[i] = tracer_->intersect(rays[i]).value_or(Hit{});
         }
     }
 
-    void occluded(std::span<const Ray> rays,
-                  std::span<std::uint8_t> flags) const noexcept override {
+    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> flags,
+                  Queries queries) const noexcept override {
+        if (queries != Queries::single) {
+            const auto is_occluded = std::make_unique<bool[]>(rays.size());
+            tracer_->occluded(rays, {is_occluded.get(), rays.size()});
+            std::copy_n(is_occluded.get(), rays.size(), flags.begin());
+            return;
+        }
         for (std::size_t i = 0; i < rays.size(); ++i) {
             flags[i] = tracer_->occluded(rays[i]) ? 1 : 0;
         }

@@ -101,7 +101,7 @@ std::vector<Hit> HitCheck::trace_reference(RayKind kind, std::span<const Ray> ra
         const auto chunk = rays.subspan(begin, end - begin);
         if (check_ == TraceCheck::embree && kind == RayKind::shadow) {
             std::array<std::uint8_t, chunk_size> flags{};
-            embree_->occluded(chunk, std::span(flags).first(chunk.size()));
+            embree_->occluded(chunk, std::span(flags).first(chunk.size()), Queries::single);
             for (std::size_t i = begin; i < end; ++i) {
                 if (flags[i - begin] != 0) hits[i].t = 0.0F;
             }
@@ -118,7 +118,7 @@ std::vector<Hit> HitCheck::trace_reference(RayKind kind, std::span<const Ray> ra
 Hit HitCheck::reference_hit(const Ray& ray) const {
     if (check_ == TraceCheck::brute) return brute_force_intersect(mesh_, ray).value_or(Hit{});
     Hit hit;
-    embree_->intersect(std::span(&ray, 1), std::span(&hit, 1));
+    embree_->intersect(std::span(&ray, 1), std::span(&hit, 1), Queries::single);
     return hit;
 }
 

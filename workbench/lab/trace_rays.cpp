@@ -35,11 +35,11 @@ void trace_rays(const Contestant& contestant, RayKind kind, std::span<const Ray>
         const auto chunk = rays.subspan(begin, end - begin);
         const auto found = hits.subspan(begin, end - begin);
         if (kind != RayKind::shadow) {
-            contestant.intersect(chunk, found);
+            contestant.intersect(chunk, found, Queries::single);
             return;
         }
         std::vector<std::uint8_t> flags(chunk.size());
-        contestant.occluded(chunk, flags);
+        contestant.occluded(chunk, flags, Queries::single);
         for (std::size_t i = 0; i < flags.size(); ++i) {
             found[i] = hit_if(flags[i] != 0);
         }

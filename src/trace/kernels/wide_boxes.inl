@@ -21,6 +21,12 @@ inline Lanes3 broadcast(Vec3f v) noexcept {
     return {broadcast(v.x), broadcast(v.y), broadcast(v.z)};
 }
 
+inline Lanes broadcast_lane(const Lanes& lanes, std::size_t i) noexcept {
+    alignas(32) std::array<float, 8> values;
+    store(lanes, values);
+    return broadcast(values[i]);
+}
+
 // More than all that rounding does to a distance.
 constexpr float shrink = 1.0F - 0x1.0p-21F;
 constexpr float grow = 1.0F + 0x1.0p-21F;
@@ -38,6 +44,8 @@ inline float inverse_of(Axis axis, const Ray& ray, const Aabb& bounds) noexcept 
 
 // Byte offsets in a WideNode of the rows of bounds that a ray comes to first and last on each axis.
 struct RowOffsets {
+    RowOffsets() = default;
+
     explicit RowOffsets(Vec3f direction) noexcept
         : x(offset_of_near(0, direction.x)),
           y(offset_of_near(1, direction.y)),
@@ -75,54 +83,83 @@ inline float reach_of(const Aabb& box) noexcept {
                      larger(box.lower.z, box.upper.z)});
 }
 
+constexpr float quick_reach = 0x1.0p60F;
+
 // Whether products with the ray's origin and inverse direction, and with the bounds of all boxes,
 // neither overflow nor are NaN, and nothing behind the origin matters. Such a ray is_traceable().
 // All numbers of the ray at once: a branch for each would cost 7 ns a ray.
 inline bool is_quick(const Ray& ray, const Aabb& bounds) noexcept {
-    constexpr float far = 0x1.0p60F;
     constexpr unsigned of_origin = 0b000111;
     constexpr unsigned of_direction = 0b111000;
     alignas(32) const auto numbers = std::bit_cast<std::array<float, 8>>(ray);
     const Lanes sizes = abs(load(numbers));
-    const unsigned near = less_equal(sizes, broadcast(far));
-    const unsigned plain = less_equal(broadcast(1.0F / far), sizes);
+    const unsigned near = less_equal(sizes, broadcast(quick_reach));
+    const unsigned plain = less_equal(broadcast(1.0F / quick_reach), sizes);
     const float reach = reach_of(bounds);
     return (near & (of_origin | of_direction)) == (of_origin | of_direction) &&
            (plain & of_direction) == of_direction && ray.t_min >= 0.0F && ray.t_min <= ray.t_max &&
-           reach <= far;
+           reach <= quick_reach;
 }
 
-// Of a ray that is_quick() in a tree's bounds. Never meets an empty child: its bounds are infinite
-// the wrong way round.
+// Of rays that are_quick() in a tree's bounds, all lanes the same or each a ray of its own. Never
+// meets an empty child: its bounds are infinite the wrong way round.
 struct QuickRay {
     static constexpr bool never_meets_empty = true;
 
-    explicit QuickRay(const Ray& ray) noexcept : near_row(ray.direction) {
-        const Vec3f inverse{1.0F / ray.direction.x, 1.0F / ray.direction.y,
-                            1.0F / ray.direction.z};
-        const Vec3f slack{slack_of(ray.origin.x * inverse.x), slack_of(ray.origin.y * inverse.y),
-                          slack_of(ray.origin.z * inverse.z)};
-        to_near = broadcast(shrink * inverse);
-        to_far = broadcast(grow * inverse);
-        near_at_0 = broadcast(by_axis(ray.origin, shrink * inverse) + slack);
-        far_at_0 = broadcast(by_axis(ray.origin, grow * inverse) - slack);
+    // To be set on each axis.
+    explicit QuickRay(Vec3f direction) noexcept : near_row(direction) {}
+
+    explicit QuickRay(const Ray& ray) noexcept : QuickRay(ray.direction) {
+        const Lanes3 origin = broadcast(ray.origin);
+        const Lanes3 direction = broadcast(ray.direction);
+        for (const auto axis : {&Lanes3::x, &Lanes3::y, &Lanes3::z}) {
+            const Lanes inverse = broadcast(1.0F) / direction.*axis;
+            set_axis(axis, {origin.*axis, inverse}, {origin.*axis, inverse});
+        }
     }
 
-    // Never 0, so that a face which the ray starts on is not at -0.
-    static float slack_of(float product) noexcept {
-        return 0x1.0p-21F * std::abs(product) + 0x1.0p-100F;
-    }
+    // An origin's coordinate and the inverse of a direction's.
+    struct Line {
+        Lanes origin;
+        Lanes inverse;
+    };
 
-    static Vec3f by_axis(Vec3f a, Vec3f b) noexcept { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+    // Distances to near faces are those on one line, to far faces those on another.
+    void set_axis(Lanes Lanes3::*axis, Line near, Line far) noexcept {
+        // Never 0, so that a face which the ray starts on is not at -0.
+        const auto slack = [](Line line) {
+            return broadcast(0x1.0p-21F) * abs(line.origin * line.inverse) + broadcast(0x1.0p-100F);
+        };
+        to_near.*axis = broadcast(shrink) * near.inverse;
+        to_far.*axis = broadcast(grow) * far.inverse;
+        near_at_0.*axis = near.origin * to_near.*axis + slack(near);
+        far_at_0.*axis = far.origin * to_far.*axis - slack(far);
+    }
 
     // The children whose boxes the ray meets between enter and exit, which are not negative: a
     // negative distance to a near face does not raise enter, one to a far face is a miss.
     [[nodiscard]] BoxHits meet(const WideNode& node, Lanes enter, Lanes exit) const noexcept {
+        return cut([&](std::size_t row) { return load_row(node, row); }, enter, exit);
+    }
+
+    // The rays, if each lane has its own, that meet one child.
+    [[nodiscard]] unsigned meet_child(const WideNode& node, std::size_t slot, Lanes enter,
+                                      Lanes exit) const noexcept {
+        const char* const bounds = reinterpret_cast<const char*>(node.bound.data());
+        return cut([&](std::size_t row) {
+                   return broadcast(reinterpret_cast<const float*>(bounds + row)[slot]);
+               },
+               enter, exit)
+            .mask;
+    }
+
+    template <typename Rows>
+    [[nodiscard]] BoxHits cut(Rows&& bounds, Lanes enter, Lanes exit) const noexcept {
         const auto near = [&](std::size_t row, Lanes inverse, Lanes at_0) {
-            return multiply_subtract(load_row(node, row), inverse, at_0);
+            return multiply_subtract(bounds(row), inverse, at_0);
         };
         const auto far = [&](std::size_t axis, std::size_t row, Lanes inverse, Lanes at_0) {
-            return multiply_subtract(load_row(node, RowOffsets::far_of(axis, row)), inverse, at_0);
+            return multiply_subtract(bounds(RowOffsets::far_of(axis, row)), inverse, at_0);
         };
         enter = bits_max(bits_max(near(near_row.x, to_near.x, near_at_0.x),
                                   near(near_row.y, to_near.y, near_at_0.y)),

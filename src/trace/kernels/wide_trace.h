@@ -15,6 +15,9 @@ struct TraceKernels {
     /// Whether there is a hit, and then the closest.
     bool (*closest)(const WideBvh&, const Ray&, Hit&) noexcept;
     bool (*any)(const WideBvh&, const Ray&) noexcept;
+    /// The same of as many rays as there are results. Rays that go the same way go together.
+    void (*closest_of_each)(const WideBvh&, std::span<const Ray>, std::span<Hit>) noexcept;
+    void (*any_of_each)(const WideBvh&, std::span<const Ray>, std::span<bool>) noexcept;
     /// How many of the first hits after a given one, or of all, it put in order into the span.
     std::size_t (*first)(const WideBvh&, const Ray&, std::span<Hit>, const Hit* after) noexcept;
     bool (*closest_counting)(const WideBvh&, const Ray&, Hit&, TraversalCounts&) noexcept;

@@ -1,7 +1,7 @@
 // Embree 3 as a contestant, used as its manual says: one device, one scene of one triangle
-// geometry, single rays. The mesh's own arrays are shared, not copied; Embree wants four readable
-// bytes behind the last vertex, so a padded copy of the vertices is made before the clock starts.
-// Its memory monitor counts all that the device allocates.
+// geometry, single rays or arrays of them (streams). The mesh's own arrays are shared, not copied;
+// Embree wants four readable bytes behind the last vertex, so a padded copy of the vertices is made
+// before the clock starts. Its memory monitor counts all that the device allocates.
 //
 // A device limits the threads of the *process* while it lives, through oneTBB's global control: so
 // all contestants of one time must have the same number of threads.
@@ -12,6 +12,7 @@
 
 #include <embree3/rtcore.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <limits>
@@ -68,6 +69,33 @@ RTCRay embree_ray(const Ray& ray) noexcept {
             .flags = 0};
 }
 
+RTCRayHit embree_query(const Ray& ray) noexcept {
+    RTCRayHit query{};
+    query.ray = embree_ray(ray);
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    return query;
+}
+
+Hit hit_of(const RTCRayHit& query) noexcept {
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+    return {query.ray.tfar, query.hit.u, query.hit.v, query.hit.primID};
+}
+
+std::uint8_t flag_of(const RTCRay& query) noexcept {
+    return query.tfar < 0.0F ? 1 : 0;  // -inf if occluded
+}
+
+unsigned count_of(std::span<const Ray> rays) noexcept {
+    return static_cast<unsigned>(rays.size());
+}
+
+RTCIntersectContext context_for(Queries queries) noexcept {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    if (queries == Queries::coherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    return context;
+}
+
 class EmbreeContestant final : public Contestant {
 public:
     EmbreeContestant(Settings settings, int threads)
@@ -106,29 +134,38 @@ public:
         scene_ = nullptr;
     }
 
-    void intersect(std::span<const Ray> rays, std::span<Hit> hits) const noexcept override {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            RTCRayHit query{};
-            query.ray = embree_ray(rays[i]);
-            query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-            rtcIntersect1(scene_, &context, &query);
-            const bool is_hit = query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
-            hits[i] =
-                is_hit ? Hit{query.ray.tfar, query.hit.u, query.hit.v, query.hit.primID} : Hit{};
+    void intersect(std::span<const Ray> rays, std::span<Hit> hits,
+                   Queries queries) const noexcept override {
+        RTCIntersectContext context = context_for(queries);
+        if (queries == Queries::single) {
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                RTCRayHit query = embree_query(rays[i]);
+                rtcIntersect1(scene_, &context, &query);
+                hits[i] = hit_of(query);
+            }
+            return;
         }
+        std::vector<RTCRayHit> stream(rays.size());
+        std::transform(rays.begin(), rays.end(), stream.begin(), embree_query);
+        rtcIntersect1M(scene_, &context, stream.data(), count_of(rays), sizeof(RTCRayHit));
+        std::transform(stream.begin(), stream.end(), hits.begin(), hit_of);
     }
 
-    void occluded(std::span<const Ray> rays,
-                  std::span<std::uint8_t> flags) const noexcept override {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            RTCRay query = embree_ray(rays[i]);
-            rtcOccluded1(scene_, &context, &query);
-            flags[i] = query.tfar < 0.0F ? 1 : 0;  // -inf if occluded
+    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> flags,
+                  Queries queries) const noexcept override {
+        RTCIntersectContext context = context_for(queries);
+        if (queries == Queries::single) {
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                RTCRay query = embree_ray(rays[i]);
+                rtcOccluded1(scene_, &context, &query);
+                flags[i] = flag_of(query);
+            }
+            return;
         }
+        std::vector<RTCRay> stream(rays.size());
+        std::transform(rays.begin(), rays.end(), stream.begin(), embree_ray);
+        rtcOccluded1M(scene_, &context, stream.data(), count_of(rays), sizeof(RTCRay));
+        std::transform(stream.begin(), stream.end(), flags.begin(), flag_of);
     }
 
 private:

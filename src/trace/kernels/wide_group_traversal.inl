@@ -1,0 +1,172 @@
+// How a group of rays goes through the wide tree: part of a traversal's kernels, included after
+// wide_traversal.inl and wide_group.inl.
+//
+// At a node all boxes are cut first by the beam, which is as wide as the eight rays, and then each
+// box that it meets by the eight rays at once; the group goes on to these boxes with the rays that
+// meet them. Fewer than three rays go on alone. At a leaf each ray's own query is asked, so hits are
+// those of single rays.
+
+template <typename Query>
+class GroupTraversal {
+public:
+    GroupTraversal(const WideBvh& tree, const Group& group) noexcept
+        : GroupTraversal(tree, group, std::make_index_sequence<group_size>{}) {}
+
+    void run() noexcept {
+        WideChild at = WideChild::make_inner(0);
+        unsigned rays = alive_;
+        for (;;) {
+            if (at.is_leaf()) {
+                visit_leaf(at, rays);
+            } else if (std::popcount(rays) < 3) {
+                go_alone(at, rays);
+            } else if (step_down(tree_.nodes()[at.node()], at, rays)) {
+                continue;
+            }
+            if (!pop(at, rays)) return;
+        }
+    }
+
+    [[nodiscard]] Query& query(std::size_t i) noexcept { return members_[i].query; }
+
+private:
+    struct Member {
+        explicit Member(const Ray& ray) noexcept : sheared(ray), query(ray, sheared) {}
+
+        ShearedRay sheared;
+        Query query;
+    };
+
+    // A child that waits, the rays that meet it, and a distance before which none enters it.
+    struct Entry {
+        float enter;
+        WideChild child;
+        unsigned rays;
+    };
+
+    template <std::size_t... I>
+    GroupTraversal(const WideBvh& tree, const Group& group,
+                   std::index_sequence<I...> /*indices*/) noexcept
+        : tree_(tree), group_(group), members_{Member(group.rays[I])...} {
+        for (std::size_t i = 0; i < group_size; ++i) {
+            enter_[i] = members_[i].query.first();
+            exit_[i] = members_[i].query.limit();
+        }
+        first_ = *std::min_element(enter_.begin(), enter_.end());
+        set_limit();
+    }
+
+    void set_limit() noexcept { limit_ = *std::max_element(exit_.begin(), exit_.end()); }
+
+    bool pop(WideChild& at, unsigned& rays) noexcept {
+        while (top_ != stack_.data()) {
+            --top_;
+            rays = top_->rays & alive_;
+            at = top_->child;
+            if (rays != 0 && (!Query::nearest_first || top_->enter <= limit_)) return true;
+        }
+        return false;
+    }
+
+    // Goes on to one of the children that any ray meets, as Traversal does; false if there is none.
+    bool step_down(const WideNode& node, WideChild& at, unsigned& rays) noexcept {
+        const BoxHits met = group_.beam.meet(node, broadcast(first_), broadcast(limit_));
+        if (met.mask == 0) return false;
+        alignas(32) std::array<float, wide_width> enter;
+        store(met.enter, enter);
+        const Lanes first = load(enter_);
+        const Lanes last = load(exit_);
+        const Entry* const base = top_;
+        for (unsigned rest = met.mask; rest != 0; rest &= rest - 1) {
+            const auto slot = static_cast<std::size_t>(std::countr_zero(rest));
+            const unsigned meeting = rays & group_.each.meet_child(node, slot, first, last);
+            if (meeting != 0) push({enter[slot], node.child[slot], meeting}, base);
+        }
+        if (top_ == base) return false;
+        --top_;
+        at = top_->child;
+        rays = top_->rays;
+        return true;
+    }
+
+    // Entries from base on are sorted, the nearest on top.
+    void push(Entry entry, const Entry* base) noexcept {
+        Entry* place = top_++;
+        if (Query::nearest_first) {
+            for (; place != base && place[-1].enter < entry.enter; --place) {
+                *place = place[-1];
+            }
+        }
+        *place = entry;
+    }
+
+    void visit_leaf(WideChild leaf, unsigned rays) noexcept {
+        const TriangleBlock* block = tree_.blocks().data() + leaf.first_block();
+        for (std::uint32_t count = leaf.block_count(); count > 0; --count, ++block) {
+            for (unsigned rest = rays & alive_; rest != 0; rest &= rest - 1) {
+                const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+                if (test(members_[i], *block)) alive_ &= ~(1U << i);
+                exit_[i] = members_[i].query.limit();
+            }
+        }
+        if (Query::nearest_first) set_limit();
+    }
+
+    // True if that ends the ray's search.
+    static bool test(Member& member, const TriangleBlock& block) noexcept {
+        Sifted sifted;
+        sift_triangles(block, member.sheared, sifted);
+        for (unsigned rest = sifted.possible; rest != 0; rest &= rest - 1) {
+            const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+            if (member.query.consider(block, lane, sifted)) return true;
+        }
+        return false;
+    }
+
+    void go_alone(WideChild at, unsigned rays) noexcept {
+        for (; rays != 0; rays &= rays - 1) {
+            const auto i = static_cast<std::size_t>(std::countr_zero(rays));
+            const QuickRay quick = group_.ray(i);
+            Member& member = members_[i];
+            Traversal alone(tree_, quick, member.sheared, member.query, NoCounts{});
+            if (alone.run(at)) alive_ &= ~(1U << i);
+            exit_[i] = member.query.limit();
+        }
+        if (Query::nearest_first) set_limit();
+    }
+
+    const WideBvh& tree_;
+    const Group& group_;
+    std::array<Member, group_size> members_;
+    alignas(32) OfRays enter_;
+    alignas(32) OfRays exit_;
+    float first_;
+    float limit_;
+    unsigned alive_ = 0xffU;
+    std::array<Entry, max_stack> stack_;
+    Entry* top_ = stack_.data();
+};
+
+// Traces arrays of rays: calls done(i, query) for each that was in a group, else alone(i).
+template <typename Query, typename Done, typename Alone>
+void trace_in_groups(const WideBvh& tree, std::span<const Ray> rays, Done&& done,
+                     Alone&& alone) noexcept {
+    std::size_t i = 0;
+    for (; i + group_size <= rays.size(); i += group_size) {
+        Group group(rays.subspan(i).template first<group_size>());
+        if (group.gather(tree.bounds())) {
+            GroupTraversal<Query> traversal(tree, group);
+            traversal.run();
+            for (std::size_t k = 0; k < group_size; ++k) {
+                done(i + k, traversal.query(k));
+            }
+        } else {
+            for (std::size_t k = 0; k < group_size; ++k) {
+                alone(i + k);
+            }
+        }
+    }
+    for (; i < rays.size(); ++i) {
+        alone(i);
+    }
+}
