@@ -83,8 +83,7 @@ void add_how(CLI::App& parser, lab::BenchOptions& options) {
                 options.rays.push_back(lab::find_named(registry, name, "kind of rays").kind);
             }
         });
-    add_switch(parser, "--batched",
-               "Hand rays over in arrays, to us and to Embree (rtcIntersect1M), not one by one",
+    add_switch(parser, "--batched", "Hand rays over in arrays (Embree: rtcIntersect1M)",
                [&options] { options.is_batched = true; });
 }
 
