@@ -116,6 +116,31 @@ TEST(BuildWideBvh, DoesNotSampleSmallScenes) {
     EXPECT_TRUE(is_same(sampled, build_wide_bvh(mesh.view())));
 }
 
+// A leaf of two walls that meet would be tested by every ray from inside.
+TEST(BuildWideBvh, SplitsTheWallsOfARoom) {
+    TriangleMesh mesh = make_sphere(60, 61);
+    for (const float at : {-10.0F, 10.0F}) {
+        mesh = joined(std::move(mesh), make_sheet(1, {at, -10, -10}, {0, 20, 0}, {0, 0, 20}));
+        mesh = joined(std::move(mesh), make_sheet(1, {-10, at, -10}, {20, 0, 0}, {0, 0, 20}));
+        mesh = joined(std::move(mesh), make_sheet(1, {-10, -10, at}, {20, 0, 0}, {0, 20, 0}));
+    }
+    for (const BuildOptions& options : all_ways()) {
+        const WideBvh tree = build_wide_bvh(mesh.view(), options);
+        for (const WideNode& node : tree.nodes()) {
+            for (std::size_t slot = 0; slot < wide_width; ++slot) {
+                if (!node.child[slot].is_leaf()) continue;
+                const Vec3f edges = node.child_box(slot).upper - node.child_box(slot).lower;
+                EXPECT_LE(edges.x * edges.y * edges.z, 80.0F) << "of 8000";
+            }
+        }
+    }
+}
+
+TEST(BuildWideBvh, LeavesTriangleTogetherThatSplitsCannotPart) {
+    const TriangleMesh slopes = repeated(make_triangle({Vec3f{0, 0, 0}, {9, 9, 0}, {0, 9, 9}}), 64);
+    EXPECT_EQ(build_wide_bvh(slopes.view()).blocks().size(), 8U);
+}
+
 TEST(BuildWideBvh, NamesTheFirstTriangleThatIsNotFinite) {
     TriangleMesh mesh = make_soup(100, 0.1F, 1);
     mesh.vertices[mesh.triangles[61][1]].y = std::numeric_limits<float>::infinity();

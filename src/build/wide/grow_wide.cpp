@@ -1,10 +1,10 @@
 // The wide tree below and above the cells, in one recursion: a node starts with one child and opens
 // the child of largest area (a top node into its two, a range of references by a binned split)
 // until it has eight; no binary tree is made. Ranges of at most two blocks become leaves; while a
-// node has slots left, those of more than one block are opened too. Large children are tasks with
-// a part of their own; where parts meet depends on the sizes alone, so the tree does not depend on
-// threads.
-// Source: [Wald2007] sec. 3, [Wald2008] sec. 3 (opening by area).
+// node has slots left, those of more than one block are opened too, and the roomy ones always.
+// Large children are tasks with a part of their own; where parts meet depends on the sizes alone,
+// so the tree does not depend on threads. Source: [Wald2007] sec. 3, [Wald2008] sec. 3 (opening by
+// area).
 
 #include "build/wide/grow_wide.h"
 
@@ -30,8 +30,23 @@ constexpr int max_sah_depth = WideBvh::max_depth - 12;
 
 constexpr std::uint32_t not_top = 0xffffffff;
 
+// Every ray that starts in a leaf's box tests its triangles, whatever is nearer. So leaves that
+// fill more than this share of the scene, as the walls of a room do, are split on, unless halves
+// fill more than `most_filled` of what the whole did: rays in a bathroom take a third less. Source:
+// see [Fabianowski2009]; the measurements are in docs/decisions/0005.
+constexpr double roomy_share = 0.01;
+constexpr double most_filled = 1.5;
+
 Aabb to_aabb(const Box8& box) {
     return {{box.lower(0), box.lower(1), box.lower(2)}, {box.upper(0), box.upper(1), box.upper(2)}};
+}
+
+double volume_of(const Box8& box) {
+    double volume = 1.0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        volume *= double{box.upper(axis)} - double{box.lower(axis)};
+    }
+    return volume;
 }
 
 // A child to be: a node of the top, or a range of references.
@@ -39,11 +54,16 @@ struct Item {
     Range range;  // of a top node: its box and how many references are below
     std::uint32_t top = not_top;
     double area = 0.0;
+    bool is_roomy = false;
 
     [[nodiscard]] bool is_range() const noexcept { return top == not_top; }
 
     [[nodiscard]] bool can_open() const noexcept {
-        return !is_range() || range.size() > block_size;
+        return !is_range() || range.size() > (is_roomy ? 1 : block_size);
+    }
+
+    [[nodiscard]] bool is_leaf() const noexcept {
+        return is_range() && range.size() <= (is_roomy ? 1 : max_leaf_size);
     }
 };
 
@@ -104,16 +124,16 @@ private:
 
     [[nodiscard]] Item make_item(std::uint32_t node) const {
         const bool is_cell = top_.nodes[node].axis == TopNode::is_cell;
-        return with_area({ranges_[node], is_cell ? not_top : node, 0.0});
+        return make_item(ranges_[node], is_cell ? not_top : node);
     }
 
-    static Item with_area(Item item) {
-        item.area = to_aabb(item.range.box).surface_area();
-        return item;
+    [[nodiscard]] Item make_item(const Range& range, std::uint32_t top = not_top) const {
+        const bool is_roomy = volume_of(range.box) > roomy_share * volume_of(ranges_[0].box);
+        return {range, top, to_aabb(range.box).surface_area(), is_roomy};
     }
 
     void open(Children& children, std::size_t at, bool by_sah) const {
-        const Item opened = children.item[at];
+        Item opened = children.item[at];
         std::swap(children.item[at], children.item[--children.count]);
         if (!opened.is_range()) {
             const std::uint32_t lower = top_.nodes[opened.top].index;
@@ -122,8 +142,15 @@ private:
             return;
         }
         const Halves halves = by_sah ? split(opened.range) : splitter_.halve(opened.range);
-        children.add(with_area({halves.lower, not_top, 0.0}));
-        children.add(with_area({halves.upper, not_top, 0.0}));
+        const double filled = volume_of(halves.lower.box) + volume_of(halves.upper.box);
+        if (opened.range.size() <= block_size &&
+            filled > most_filled * volume_of(opened.range.box)) {
+            opened.is_roomy = false;  // its references are still where they were
+            children.add(opened);
+            return;
+        }
+        children.add(make_item(halves.lower));
+        children.add(make_item(halves.upper));
     }
 
     // By the centroids of references, or by a plane that cuts them if that is cheaper.
@@ -176,7 +203,7 @@ private:
             const Item& child = children.item[slot];
             const Aabb box = to_aabb(child.range.box);
             part.nodes[index].set(slot, box, WideChild::make_empty());
-            if (child.is_range() && child.range.size() <= max_leaf_size) {
+            if (child.is_leaf()) {
                 part.nodes[index].child[slot] = grow_leaf(part, child.range);
             } else if (child.range.size() >= min_task_size) {
                 tasks.emplace_back(slot, &child);
