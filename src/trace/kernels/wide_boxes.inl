@@ -101,7 +101,7 @@ inline bool is_quick(const Ray& ray, const Aabb& bounds) noexcept {
            reach <= quick_reach;
 }
 
-// Of rays that are_quick() in a tree's bounds, all lanes the same or each a ray of its own. Never
+// Of rays that pass is_quick() in a tree's bounds, all lanes the same or each a ray of its own. Never
 // meets an empty child: its bounds are infinite the wrong way round.
 struct QuickRay {
     static constexpr bool never_meets_empty = true;
