@@ -33,8 +33,7 @@ inline Lanes with_lane(Lanes lanes, std::size_t lane, float value) noexcept {
 }
 
 inline bool has_extent(Lanes box) noexcept {
-    const __m128 extent =
-        _mm_add_ps(_mm256_castps256_ps128(box), _mm256_extractf128_ps(box, 1));
+    const __m128 extent = _mm_add_ps(_mm256_castps256_ps128(box), _mm256_extractf128_ps(box, 1));
     return (_mm_movemask_ps(_mm_cmpge_ps(extent, _mm_setzero_ps())) & 7) == 7;
 }
 

@@ -1,5 +1,5 @@
-// Finds the best plane of a small node; included once for each instruction set, in a namespace of its
-// own. See plane_costs.cpp.
+// Finds the best plane of a small node; included once for each instruction set, in a namespace of
+// its own. See plane_costs.cpp.
 
 constexpr std::size_t lane_count = 8;
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -48,7 +48,7 @@ struct Weights {
 };
 
 COPPICE_IN_KERNEL Doubles costs_of(const CostTerms& terms, const Doubles& at, const Doubles& below,
-                                  const Doubles& above) noexcept {
+                                   const Doubles& above) noexcept {
     const Doubles p_below =
         (terms.cap_area + terms.side_perimeter * (at - terms.lower)) * terms.inverse_area;
     const Doubles p_above =
@@ -63,7 +63,7 @@ class LaneBest {
 public:
     // Offers planes; those that are not inside the node do not count.
     COPPICE_IN_KERNEL void offer(const Doubles& at, const Doubles& any_cost,
-                                const CostTerms& terms) noexcept {
+                                 const CostTerms& terms) noexcept {
         const WideMasks is_inside = (at > terms.lower) & (at < terms.upper);
         const Doubles cost = is_inside ? any_cost : infinity - Doubles{};
         const WideMasks is_better = (cost < cost_) | ((cost == cost_) & (at < position_));
@@ -100,7 +100,7 @@ COPPICE_IN_KERNEL Floats weight_in_planes(const AxisEnds& ends, const Floats& po
 
 template <typename Sum>
 COPPICE_IN_KERNEL void offer_planes(const AxisEnds& ends, const CostTerms& terms,
-                                   const Floats& position, LaneBest& best) noexcept {
+                                    const Floats& position, LaneBest& best) noexcept {
     Sum below_sum;
     Sum above_sum;
     for (std::size_t i = 0; i < ends.count; ++i) {
@@ -149,7 +149,7 @@ struct Bracket {
 // The first start and the last end inside the node are never left out: the cheaper plane that the
 // others are beaten by may be the node's face.
 COPPICE_IN_KERNEL void widen(Bracket& bracket, const AxisEnds& ends, float lower,
-                            float upper) noexcept {
+                             float upper) noexcept {
     float first_start = upper;
     float last_end = lower;
     for (std::size_t i = 0; i < ends.count; ++i) {
@@ -183,7 +183,7 @@ struct Candidates {
 };
 
 COPPICE_IN_KERNEL void list_candidates(const AxisEnds& ends, const CostTerms& terms,
-                                      Candidates& list) noexcept {
+                                       Candidates& list) noexcept {
     const auto lower = static_cast<float>(terms.lower);
     const auto upper = static_cast<float>(terms.upper);
     const Bracket bracket = find_bracket(ends, lower, upper);

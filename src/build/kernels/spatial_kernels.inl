@@ -60,7 +60,7 @@ inline Lanes or_empty(Lanes box) noexcept {
 
 // What a triangle needs of a box on either side of a plane; empty if it needs nothing.
 inline Parts cut(Lanes box, const CutTriangle& triangle, const CornersAlong& along,
-                        CutPlane plane) noexcept {
+                 CutPlane plane) noexcept {
     const auto [first, middle, last] = along.place;
     const float place = plane.position;
     if (place <= first) return {load(empty_box.lane.data()), box};
@@ -69,9 +69,8 @@ inline Parts cut(Lanes box, const CutTriangle& triangle, const CornersAlong& alo
     const Lanes b = triangle.corner[along.index[1]].lanes;
     const Lanes c = triangle.corner[along.index[2]].lanes;
     const Lanes on_long_edge = between(a, c, (place - first) / (last - first));
-    const Lanes on_short_edge = place < middle
-                                    ? between(a, b, (place - first) / (middle - first))
-                                    : between(b, c, (place - middle) / (last - middle));
+    const Lanes on_short_edge = place < middle ? between(a, b, (place - first) / (middle - first))
+                                               : between(b, c, (place - middle) / (last - middle));
     const Lanes crossing = max(on_long_edge, on_short_edge) + triangle.slack;
     const Lanes lower = max(max(a, crossing), middle <= place ? b : a);
     const Lanes upper = max(max(c, crossing), middle >= place ? b : c);
@@ -125,7 +124,7 @@ void bin_pieces(std::span<const Reference> references, std::size_t stride, const
 // A reference that the plane does not cut, or that needs nothing on one side of it, is whole on the
 // other.
 inline Parts pieces_of(const Reference& reference, const MeshArrays& mesh,
-                              CutPlane plane) noexcept {
+                       CutPlane plane) noexcept {
     const Lanes box = load(lanes_of(reference));
     const Lanes none = load(empty_box.lane.data());
     if (reference.upper[plane.axis] <= plane.position) return {box, none};

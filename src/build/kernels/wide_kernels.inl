@@ -161,8 +161,8 @@ ObjectSplit find_split(const Bins& bins, std::uint32_t bin_count,
     return best;
 }
 
-void partition(std::span<const Reference> references, const Border& border,
-               Sides<Reference*> out, Sides<Box8>& centroids) noexcept {
+void partition(std::span<const Reference> references, const Border& border, Sides<Reference*> out,
+               Sides<Box8>& centroids) noexcept {
     std::array<Reference*, 2> next{out.lower, out.upper};
     Lanes lower_range = load(centroids.lower.lane.data());
     Lanes upper_range = load(centroids.upper.lane.data());
@@ -185,8 +185,8 @@ void fill_block(std::span<const std::uint32_t> ids, const MeshArrays& mesh,
     std::array<const Vec3f*, 8> corner;
     for (std::size_t vertex = 0; vertex < 3; ++vertex) {
         for (std::size_t lane = 0; lane < 8; ++lane) {
-            corner[lane] = lane < ids.size() ? &mesh.vertices[mesh.triangles[ids[lane]][vertex]]
-                                             : &nowhere;
+            corner[lane] =
+                lane < ids.size() ? &mesh.vertices[mesh.triangles[ids[lane]][vertex]] : &nowhere;
         }
         transpose(corner, block.corner[vertex]);
     }

@@ -3,10 +3,10 @@
 //
 // Near a point: branch and bound, nearest box first. Distances to boxes and triangles are bounded
 // from below in float, eight at a time; what remains, a triangle or two a leaf, is decided in
-// double by closest_point(). So what is found is what brute force finds, on every instruction set. A
-// tree with cells by planes has some triangles in several leaves: of those, the mention in the first
-// block that the query reaches counts.
-// Source: [Roussopoulos1995] sec. 3 and 4 (there depth first with sorted branches, too).
+// double by closest_point(). So what is found is what brute force finds, on every instruction set.
+// A tree with cells by planes has some triangles in several leaves: of those, the mention in the
+// first block that the query reaches counts. Source: [Roussopoulos1995] sec. 3 and 4 (there depth
+// first with sorted branches, too).
 //
 // Stack: an inner node leaves at most 7 entries, and no node is deeper than WideBvh::max_depth.
 
@@ -153,8 +153,7 @@ struct AllWithin {
             bound_boxes(node, point, bounds);
             return mask_within(bounds, point.scaled_up(reach));
         };
-        if (mesh.is_repeated(other.prim) &&
-            !is_first_mention(mesh.tree, reached_by, block, lane)) {
+        if (mesh.is_repeated(other.prim) && !is_first_mention(mesh.tree, reached_by, block, lane)) {
             return;
         }
         is_ended = !visit(other);
@@ -280,8 +279,7 @@ void within(const SearchedMesh& mesh, Vec3f point, double limit,
     Search<AllWithin>(mesh.tree, point, keeper).run();
 }
 
-void overlapping(const SearchedMesh& mesh, const Aabb& box,
-                 Visitor<std::uint32_t> visit) noexcept {
+void overlapping(const SearchedMesh& mesh, const Aabb& box, Visitor<std::uint32_t> visit) noexcept {
     const auto reached_by = [&](const WideNode& node) { return mask_overlapping(node, box); };
     const auto is_new = [&](const TriangleBlock& block, std::size_t lane) {
         return !mesh.is_repeated(block.id[lane]) ||

@@ -55,7 +55,8 @@ inline double range_of(ByCorner v) noexcept {
 }
 
 // One coordinate of the corners.
-inline ByCorner coordinate(const TriangleBlock& block, std::size_t lane, std::size_t axis) noexcept {
+inline ByCorner coordinate(const TriangleBlock& block, std::size_t lane,
+                           std::size_t axis) noexcept {
     const float c = block.corner[2][axis][lane];
     return {_mm256_cvtps_pd(
         _mm_setr_ps(block.corner[0][axis][lane], block.corner[1][axis][lane], c, c))};
@@ -92,10 +93,10 @@ inline bool decide(const TriangleBlock& block, std::size_t lane, const Ray& ray,
     const ByCorner raw_y = coordinate(block, lane, axes.y);
     const ByCorner raw_z = coordinate(block, lane, axes.z);
     const ByCorner z = raw_z - of_all(of(ray.origin, axes.z));
-    const ByCorner x = (raw_x - of_all(of(ray.origin, axes.x))) -
-                       of_all(of(ray.direction, axes.x) * scale_z) * z;
-    const ByCorner y = (raw_y - of_all(of(ray.origin, axes.y))) -
-                       of_all(of(ray.direction, axes.y) * scale_z) * z;
+    const ByCorner x =
+        (raw_x - of_all(of(ray.origin, axes.x))) - of_all(of(ray.direction, axes.x) * scale_z) * z;
+    const ByCorner y =
+        (raw_y - of_all(of(ray.origin, axes.y))) - of_all(of(ray.direction, axes.y) * scale_z) * z;
 
     const ByCorner weight = of_previous(x) * of_next(y) - of_previous(y) * of_next(x);
     const FrameExtent extent{greatest(larger(size_of(x), size_of(y))), greatest(size_of(z))};
@@ -107,8 +108,8 @@ inline bool decide(const TriangleBlock& block, std::size_t lane, const Ray& ray,
     const auto part = to_array(weight * z);
     const double sum = w[0] + w[1] + w[2];
     const double mean = (part[0] + part[1] + part[2]) / sum;
-    const bool is_certain = (least > error || most < -error) &&
-                            is_precise(mean, sum, range_of(z), extent);
+    const bool is_certain =
+        (least > error || most < -error) && is_precise(mean, sum, range_of(z), extent);
     if (!is_certain) return decide_alone(block, lane, ray, t_max, hit);
 
     const auto t = static_cast<float>(mean * scale_z);

@@ -1,15 +1,17 @@
-// How a ray meets the eight children of a wide node: part of a traversal's kernels, included after an
-// instruction set's lanes_*.inl.
+// How a ray meets the eight children of a wide node: part of a traversal's kernels, included after
+// an instruction set's lanes_*.inl.
 //
 // All eight boxes are cut with the ray at once, and intervals are widened by more than rounding can
 // do to them [Ize2013], so that no box which the ray touches is passed over. Two ways:
 // - QuickRay, for nearly all rays: t = bound * inverse - origin * inverse, one operation a plane.
-//   The difference may cancel: its error is relative to origin * inverse, so that boxes are in effect
-//   widened by 8 units of rounding of the origin's coordinates, besides those of t.
-// - CarefulRay, for the others: t = (bound - origin) * inverse, which is exact to 3 units of rounding
-//   for any origin. A direction component of zero (or -0) gives infinite distances, or NaN where the
-//   origin lies in the plane of a face; minimum and maximum then take their second argument, so such
-//   a face does not cut. Of distances of either sign, as a t_min below 0 allows, both ends are widened.
+//   The difference may cancel: its error is relative to origin * inverse, so that boxes are in
+//   effect widened by 8 units of rounding of the origin's coordinates, besides those of t.
+// - CarefulRay, for the others: t = (bound - origin) * inverse, which is exact to 3 units of
+// rounding
+//   for any origin. A direction component of zero (or -0) gives infinite distances, or NaN where
+//   the origin lies in the plane of a face; minimum and maximum then take their second argument, so
+//   such a face does not cut. Of distances of either sign, as a t_min below 0 allows, both ends are
+//   widened.
 
 struct Lanes3 {
     Lanes x;
@@ -37,8 +39,8 @@ inline float inverse_of(Axis axis, const Ray& ray, const Aabb& bounds) noexcept 
     constexpr float far = 0x1.0p126F;
     const float direction = ray.direction[axis];
     const bool is_tiny = direction != 0.0F && std::abs(direction) < 0x1.0p-100F;
-    const bool is_near = std::abs(ray.origin[axis]) < far && bounds.lower[axis] > -far &&
-                         bounds.upper[axis] < far;
+    const bool is_near =
+        std::abs(ray.origin[axis]) < far && bounds.lower[axis] > -far && bounds.upper[axis] < far;
     return is_near && !is_tiny ? 1.0F / direction : std::numeric_limits<float>::quiet_NaN();
 }
 
@@ -101,8 +103,8 @@ inline bool is_quick(const Ray& ray, const Aabb& bounds) noexcept {
            reach <= quick_reach;
 }
 
-// Of rays that pass is_quick() in a tree's bounds, all lanes the same or each a ray of its own. Never
-// meets an empty child: its bounds are infinite the wrong way round.
+// Of rays that pass is_quick() in a tree's bounds, all lanes the same or each a ray of its own.
+// Never meets an empty child: its bounds are infinite the wrong way round.
 struct QuickRay {
     static constexpr bool never_meets_empty = true;
 
@@ -146,10 +148,11 @@ struct QuickRay {
     [[nodiscard]] unsigned meet_child(const WideNode& node, std::size_t slot, Lanes enter,
                                       Lanes exit) const noexcept {
         const char* const bounds = reinterpret_cast<const char*>(node.bound.data());
-        return cut([&](std::size_t row) {
-                   return broadcast(reinterpret_cast<const float*>(bounds + row)[slot]);
-               },
-               enter, exit)
+        return cut(
+                   [&](std::size_t row) {
+                       return broadcast(reinterpret_cast<const float*>(bounds + row)[slot]);
+                   },
+                   enter, exit)
             .mask;
     }
 
@@ -184,11 +187,12 @@ struct CarefulRay {
     CarefulRay(const Ray& ray, const Aabb& bounds) noexcept
         : near_row(ray.direction),
           origin(broadcast(ray.origin)),
-          inverse(broadcast(Vec3f{inverse_of(Axis::x, ray, bounds), inverse_of(Axis::y, ray, bounds),
-                                  inverse_of(Axis::z, ray, bounds)})) {}
+          inverse(
+              broadcast(Vec3f{inverse_of(Axis::x, ray, bounds), inverse_of(Axis::y, ray, bounds),
+                              inverse_of(Axis::z, ray, bounds)})) {}
 
-    // The children whose boxes the ray may meet between enter and exit, at distances of either sign.
-    // Empty ones only if no axis cuts.
+    // The children whose boxes the ray may meet between enter and exit, at distances of either
+    // sign. Empty ones only if no axis cuts.
     [[nodiscard]] BoxHits meet(const WideNode& node, Lanes enter, Lanes exit) const noexcept {
         const Lanes low = broadcast(shrink * shrink);
         const Lanes high = broadcast(grow * grow);
@@ -204,11 +208,12 @@ struct CarefulRay {
             return max(t * low, t * high);
         };
         // Two by two: of a NaN the second argument is left, at worst less is cut.
-        enter = max(max(near(near_row.x, origin.x, inverse.x), near(near_row.y, origin.y, inverse.y)),
-                    max(near(near_row.z, origin.z, inverse.z), enter));
-        exit = min(min(far(0, near_row.x, origin.x, inverse.x),
-                       far(1, near_row.y, origin.y, inverse.y)),
-                   min(far(2, near_row.z, origin.z, inverse.z), exit));
+        enter =
+            max(max(near(near_row.x, origin.x, inverse.x), near(near_row.y, origin.y, inverse.y)),
+                max(near(near_row.z, origin.z, inverse.z), enter));
+        exit = min(
+            min(far(0, near_row.x, origin.x, inverse.x), far(1, near_row.y, origin.y, inverse.y)),
+            min(far(2, near_row.z, origin.z, inverse.z), exit));
         return {less_equal(enter, exit), enter};
     }
 

@@ -60,8 +60,8 @@ private:
 
     // See is_quick().
     static bool are_quick(const std::array<OfRays, 8>& rows) noexcept {
-        unsigned quick = less_equal(broadcast(0.0F), load(rows[6])) &
-                        less_equal(load(rows[6]), load(rows[7]));
+        unsigned quick =
+            less_equal(broadcast(0.0F), load(rows[6])) & less_equal(load(rows[6]), load(rows[7]));
         for (std::size_t k = 0; k < 6; ++k) {
             quick &= less_equal(abs(load(rows[k])), broadcast(quick_reach));
         }

@@ -3,8 +3,8 @@
 //
 // At a node all boxes are cut first by the beam, which is as wide as the eight rays, and then each
 // box that it meets by the eight rays at once; the group goes on to these boxes with the rays that
-// meet them. Fewer than three rays go on alone. At a leaf each ray's own query is asked, so hits are
-// those of single rays.
+// meet them. Fewer than three rays go on alone. At a leaf each ray's own query is asked, so hits
+// are those of single rays.
 
 template <typename Query>
 class GroupTraversal {

@@ -25,6 +25,7 @@ public:
     AnyHit(const Ray& ray, const ShearedRay& sheared) noexcept : ray_(ray), sheared_(sheared) {}
 
     [[nodiscard]] float first() const noexcept { return first_of(ray_.t_min); }
+
     [[nodiscard]] float limit() const noexcept { return above(ray_.t_max); }
 
     // True if that ends the search.
@@ -35,11 +36,10 @@ public:
         }
         // Nothing beyond the range of float is hit.
         const float farthest = std::min(ray_.t_max, std::numeric_limits<float>::max());
-        const bool is_inside =
-            sifted.first[lane] >= ray_.t_min && sifted.last[lane] <= farthest;
+        const bool is_inside = sifted.first[lane] >= ray_.t_min && sifted.last[lane] <= farthest;
         Hit hit;
-        is_hit_ = (is_certain && is_inside) ||
-                  decide(block, lane, ray_, sheared_.axes, ray_.t_max, hit);
+        is_hit_ =
+            (is_certain && is_inside) || decide(block, lane, ray_, sheared_.axes, ray_.t_max, hit);
         return is_hit_;
     }
 
@@ -62,6 +62,7 @@ public:
         : ray_(ray), sheared_(sheared), first_(ray.t_max), last_(ray.t_max) {}
 
     [[nodiscard]] float first() const noexcept { return first_of(ray_.t_min); }
+
     [[nodiscard]] float limit() const noexcept { return above(last_); }
 
     bool consider(const TriangleBlock& block, std::size_t lane, const Sifted& sifted) noexcept {
@@ -127,6 +128,7 @@ public:
     [[nodiscard]] float first() const noexcept {
         return first_of(std::max(ray_.t_min, list_.first_distance()));
     }
+
     [[nodiscard]] float limit() const noexcept { return above(farthest()); }
 
     bool consider(const TriangleBlock& block, std::size_t lane, const Sifted& /*sifted*/) noexcept {

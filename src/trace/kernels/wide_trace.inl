@@ -9,6 +9,7 @@
 #include "trace/kernels/wide_traversal.inl"
 #include "trace/kernels/wide_group.inl"
 #include "trace/kernels/wide_group_traversal.inl"
+
 // clang-format on
 
 template <typename Counter>
@@ -28,30 +29,28 @@ bool find_any(const WideBvh& tree, const Ray& ray, Counter counter) noexcept {
 }
 
 constexpr TraceKernels kernels{
-    .closest = [](const WideBvh& tree, const Ray& ray, Hit& hit) noexcept {
-        return find_closest(tree, ray, hit, NoCounts{});
-    },
-    .any = [](const WideBvh& tree, const Ray& ray) noexcept {
-        return find_any(tree, ray, NoCounts{});
-    },
-    .closest_of_each = [](const WideBvh& tree, std::span<const Ray> rays,
-                          std::span<Hit> hits) noexcept {
-        trace_in_groups<ClosestHit>(
-            tree, rays,
-            [&](std::size_t i, ClosestHit& query) {
-                if (!query.finish(hits[i])) hits[i] = Hit{};
-            },
-            [&](std::size_t i) {
-                if (!find_closest(tree, rays[i], hits[i], NoCounts{})) hits[i] = Hit{};
-            });
-    },
-    .any_of_each = [](const WideBvh& tree, std::span<const Ray> rays,
-                      std::span<bool> is_occluded) noexcept {
-        trace_in_groups<AnyHit>(
-            tree, rays,
-            [&](std::size_t i, const AnyHit& query) { is_occluded[i] = query.is_hit(); },
-            [&](std::size_t i) { is_occluded[i] = find_any(tree, rays[i], NoCounts{}); });
-    },
+    .closest = [](const WideBvh& tree, const Ray& ray,
+                  Hit& hit) noexcept { return find_closest(tree, ray, hit, NoCounts{}); },
+    .any = [](const WideBvh& tree,
+              const Ray& ray) noexcept { return find_any(tree, ray, NoCounts{}); },
+    .closest_of_each =
+        [](const WideBvh& tree, std::span<const Ray> rays, std::span<Hit> hits) noexcept {
+            trace_in_groups<ClosestHit>(
+                tree, rays,
+                [&](std::size_t i, ClosestHit& query) {
+                    if (!query.finish(hits[i])) hits[i] = Hit{};
+                },
+                [&](std::size_t i) {
+                    if (!find_closest(tree, rays[i], hits[i], NoCounts{})) hits[i] = Hit{};
+                });
+        },
+    .any_of_each =
+        [](const WideBvh& tree, std::span<const Ray> rays, std::span<bool> is_occluded) noexcept {
+            trace_in_groups<AnyHit>(
+                tree, rays,
+                [&](std::size_t i, const AnyHit& query) { is_occluded[i] = query.is_hit(); },
+                [&](std::size_t i) { is_occluded[i] = find_any(tree, rays[i], NoCounts{}); });
+        },
     .first = [](const WideBvh& tree, const Ray& ray, std::span<Hit> hits,
                 const Hit* after) noexcept -> std::size_t {
         if (hits.empty()) return 0;
@@ -60,11 +59,12 @@ constexpr TraceKernels kernels{
         search(tree, ray, sheared, query, NoCounts{});
         return query.count();
     },
-    .closest_counting = [](const WideBvh& tree, const Ray& ray, Hit& hit,
-                           TraversalCounts& counts) noexcept {
-        return find_closest(tree, ray, hit, Counts{counts});
-    },
-    .any_counting = [](const WideBvh& tree, const Ray& ray, TraversalCounts& counts) noexcept {
-        return find_any(tree, ray, Counts{counts});
-    },
+    .closest_counting =
+        [](const WideBvh& tree, const Ray& ray, Hit& hit, TraversalCounts& counts) noexcept {
+            return find_closest(tree, ray, hit, Counts{counts});
+        },
+    .any_counting =
+        [](const WideBvh& tree, const Ray& ray, TraversalCounts& counts) noexcept {
+            return find_any(tree, ray, Counts{counts});
+        },
 };

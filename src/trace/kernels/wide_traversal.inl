@@ -1,8 +1,8 @@
 // How one ray goes through the wide tree: part of a traversal's kernels, included after
 // wide_queries.inl.
 //
-// Of the children that a ray meets it goes on to the nearest, or an any-hit query to the likeliest to
-// be hit; the others wait on a stack. What single precision cannot decide is decided by
+// Of the children that a ray meets it goes on to the nearest, or an any-hit query to the likeliest
+// to be hit; the others wait on a stack. What single precision cannot decide is decided by
 // TriangleTest's operations in double. So hits are those of brute force on every instruction set,
 // and watertight.
 //
@@ -15,6 +15,7 @@ constexpr std::size_t max_stack = (wide_width - 1) * (WideBvh::max_depth + 1);
 class Entry {
 public:
     Entry() = default;
+
     Entry(float enter, WideChild child) noexcept
         : bits_(std::uint64_t{std::bit_cast<std::uint32_t>(enter)} << 32 |
                 std::bit_cast<std::uint32_t>(child)) {}
@@ -22,6 +23,7 @@ public:
     [[nodiscard]] float enter() const noexcept {
         return std::bit_cast<float>(static_cast<std::uint32_t>(bits_ >> 32));
     }
+
     [[nodiscard]] WideChild child() const noexcept {
         return std::bit_cast<WideChild>(static_cast<std::uint32_t>(bits_));
     }
@@ -35,11 +37,13 @@ private:
 // What is counted if nothing is.
 struct NoCounts {
     void add_node() noexcept {}
+
     void add_leaf(std::uint32_t /*blocks*/) noexcept {}
 };
 
 struct Counts {
     void add_node() noexcept { ++sum.nodes; }
+
     void add_leaf(std::uint32_t blocks) noexcept {
         ++sum.leaves;
         sum.primitives += wide_width * blocks;
@@ -92,8 +96,8 @@ private:
         return false;
     }
 
-    // Goes on to one of the children that the ray meets and leaves the others on the stack; false if
-    // it meets none.
+    // Goes on to one of the children that the ray meets and leaves the others on the stack; false
+    // if it meets none.
     bool step_down(const WideNode& node, WideChild& at) noexcept {
         counter_.add_node();
         const BoxHits met = ray_.meet(node, enter_, exit_);
@@ -144,8 +148,9 @@ private:
     }
 
     void prefetch(WideChild child) const noexcept {
-        const char* at = child.is_leaf() ? reinterpret_cast<const char*>(blocks_ + child.first_block())
-                                         : reinterpret_cast<const char*>(nodes_ + child.node());
+        const char* at = child.is_leaf()
+                             ? reinterpret_cast<const char*>(blocks_ + child.first_block())
+                             : reinterpret_cast<const char*>(nodes_ + child.node());
         constexpr std::size_t line = 64;
         for (std::size_t i = 0; i < sizeof(TriangleBlock); i += line) {
             __builtin_prefetch(at + i);

@@ -4,9 +4,11 @@
 // The test is that of TriangleTest [Woop2013] with a bound on all that rounding can do to it. With
 // u = 2^-24, m the largest sheared x or y of a triangle and Z its largest z as seen from the origin
 // (all in the ray's axes, where shears are at most 1):
-// - a sheared coordinate is off by 5 u (m + Z): one rounding of each difference, three of the shear,
+// - a sheared coordinate is off by 5 u (m + Z): one rounding of each difference, three of the
+// shear,
 //   one of the product, one of the sum, and |x| <= m + Z before the shear;
-// - so a weight (edge function) is off by 20 u m (m + Z) + 50 u^2 (m + Z)^2 + 4 u m^2, which is less
+// - so a weight (edge function) is off by 20 u m (m + Z) + 50 u^2 (m + Z)^2 + 4 u m^2, which is
+// less
 //   than `error` = (m + Z) (32 u m + 64 u^2 (m + Z)), and by what underflows;
 // - t is an average of the corners' z by weights of one sign: their errors move it by less than
 //   8 error / |sum of weights| of the corners' range of z where that ratio is less than 1, and
@@ -73,8 +75,8 @@ inline void sift_triangles(const TriangleBlock& block, const ShearedRay& ray,
     const Lanes3 weight{multiply_subtract(c.x, b.y, c.y * b.x),
                         multiply_subtract(a.x, c.y, a.y * c.x),
                         multiply_subtract(b.x, a.y, b.y * a.x)};
-    const Lanes m = max(max(max(abs(a.x), abs(a.y)), max(abs(b.x), abs(b.y))),
-                        max(abs(c.x), abs(c.y)));
+    const Lanes m =
+        max(max(max(abs(a.x), abs(a.y)), max(abs(b.x), abs(b.y))), max(abs(c.x), abs(c.y)));
     const Lanes z_size = max(abs(a.z), max(abs(b.z), abs(c.z)));
     const Lanes reach = m + z_size;
     const Lanes error = reach * (broadcast(0x1.0p-19F) * m + broadcast(0x1.0p-42F) * reach) +
