@@ -51,6 +51,19 @@ std::string bad_child(std::size_t node, std::uint64_t child, std::size_t count) 
                        child, count);
 }
 
+/// Finite, or those of nothing: searches scale distances by them. Empty text if they are.
+std::string find_bounds_flaw(const Aabb& bounds) {
+    if (bounds == Aabb{}) return {};
+    for (const Axis axis : all_axes) {
+        const bool is_finite =
+            std::isfinite(bounds.lower[axis]) && std::isfinite(bounds.upper[axis]);
+        if (!is_finite || bounds.lower[axis] > bounds.upper[axis]) {
+            return "its bounds are no finite box";
+        }
+    }
+    return {};
+}
+
 /// The first of `count` things that is not as it should be, or `count`.
 template <typename IsSound>
 std::size_t find_first(std::size_t count, const IsSound& is_sound) {
@@ -126,6 +139,7 @@ std::string find_node_flaw(const WideBvh& tree) {
 }  // namespace
 
 std::string find_flaw(const KdTree& tree, std::uint32_t primitive_count) {
+    if (std::string flaw = find_bounds_flaw(tree.bounds()); !flaw.empty()) return flaw;
     const auto nodes = tree.nodes();
     const auto references = tree.references();
     Depths depths(nodes.size());
@@ -150,8 +164,8 @@ std::string find_flaw(const KdTree& tree, std::uint32_t primitive_count) {
 }
 
 std::string find_flaw(const WideBvh& tree, std::uint32_t primitive_count) {
-    std::string flaw = find_node_flaw(tree);
-    if (!flaw.empty()) return flaw;
+    if (std::string flaw = find_bounds_flaw(tree.bounds()); !flaw.empty()) return flaw;
+    if (std::string flaw = find_node_flaw(tree); !flaw.empty()) return flaw;
     const auto blocks = tree.blocks();
     const std::size_t bad = find_first(
         blocks.size(), [&](std::size_t at) { return is_sound(blocks[at], primitive_count); });

@@ -235,6 +235,20 @@ TEST(TreeFile, AForgedSizeIsRefused) {
     }
 }
 
+// With a bound of NaN a search for what is nearest took empty slots for near (found by fuzzing).
+TEST(TreeFile, ForgedBoundsAreRefused) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    for (const std::string& bytes :
+         {saved_kd(make_terrain(8, 1)), saved_wide(make_terrain(8, 1))}) {
+        for (const float bound : {std::numeric_limits<float>::quiet_NaN(), infinity, 1e30F}) {
+            TreeFileHeader header = header_of(bytes);
+            header.bounds[1] = bound;
+            EXPECT_EQ(error_of_tree(forged(bytes, header)),
+                      "tree.cpk: not a sound tree: its bounds are no finite box");
+        }
+    }
+}
+
 TEST(TreeFile, AForgedKdTreeCannotLeadOutOfItsArrays) {
     const std::string bytes = saved_kd(make_terrain(8, 1));
     const TreeFileHeader header = header_of(bytes);

@@ -56,7 +56,8 @@ inline void bound_hits(const Lanes3& weight, const Lanes3& z, Lanes z_size, Lane
     const Lanes wide = slack * broadcast(std::abs(scale_z)) + broadcast(0x1.0p-126F);
     store(at - wide, sifted.first);
     store(at + wide, sifted.last);
-    sifted.certain &= less(share, broadcast(1.0F));
+    const Lanes none = at - at;  // NaN if it has overflowed
+    sifted.certain &= less(share + none, broadcast(1.0F));
 }
 
 // Sets `possible`, and if any is, the rest.
@@ -79,8 +80,9 @@ inline void sift_triangles(const TriangleBlock& block, const ShearedRay& ray,
         max(max(max(abs(a.x), abs(a.y)), max(abs(b.x), abs(b.y))), max(abs(c.x), abs(c.y)));
     const Lanes z_size = max(abs(a.z), max(abs(b.z), abs(c.z)));
     const Lanes reach = m + z_size;
-    const Lanes error = reach * (broadcast(0x1.0p-19F) * m + broadcast(0x1.0p-42F) * reach) +
-                        broadcast(0x1.0p-126F);
+    // The products first: they overflow wherever those of the weights do.
+    const Lanes error = broadcast(0x1.0p-19F) * (reach * m) +
+                        (broadcast(0x1.0p-42F) * (reach * reach) + broadcast(0x1.0p-126F));
     const Lanes least = min(weight.x, min(weight.y, weight.z));
     const Lanes most = max(weight.x, max(weight.y, weight.z));
     const Lanes minus_error = broadcast(0.0F) - error;
