@@ -16,9 +16,11 @@ public:
         : size_(size), chunk_size_(are_worth_it(size) ? large : std::max<std::size_t>(size, 1)) {}
 
     /// Whether a range of `size` references has more than one chunk.
-    static bool are_worth_it(std::size_t size) noexcept { return size >= 4 * large; }
+    [[nodiscard]] static bool are_worth_it(std::size_t size) noexcept { return size >= 4 * large; }
 
-    std::size_t count() const noexcept { return (size_ + chunk_size_ - 1) / chunk_size_; }
+    [[nodiscard]] std::size_t count() const noexcept {
+        return (size_ + chunk_size_ - 1) / chunk_size_;
+    }
 
     /// Calls body(chunk, begin, end) for each chunk [begin, end) of [0, size).
     template <typename Body>
