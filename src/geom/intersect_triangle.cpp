@@ -34,11 +34,24 @@ double aside(Vec3d corner) noexcept {
     return std::max(std::abs(corner.x), std::abs(corner.y));
 }
 
-// Where a ray meets the plane of a triangle, or infinity or NaN if it is parallel to it.
+// The corner nearest to a point, by the sum of coordinates.
+std::size_t nearest_corner(Vec3d point, const Triangle& triangle) noexcept {
+    std::array<double, 3> distance;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3d from = to_double(triangle[i]) - point;
+        distance[i] = std::abs(from.x) + std::abs(from.y) + std::abs(from.z);
+    }
+    return static_cast<std::size_t>(std::min_element(distance.begin(), distance.end()) -
+                                    distance.begin());
+}
+
+// Where a ray meets the plane of a triangle, or infinity or NaN if it is parallel to it. Measured
+// from the nearest corner: seen from one that is 1e38 away the others are one point.
 double distance_to_plane(Vec3d origin, Vec3d direction, const Triangle& triangle) noexcept {
-    const Vec3d a = to_double(triangle[0]);
-    const Vec3<Twofold> normal = cross(exact_difference(to_double(triangle[1]), a),
-                                       exact_difference(to_double(triangle[2]), a));
+    const std::size_t nearest = nearest_corner(origin, triangle);
+    const Vec3d a = to_double(triangle[nearest]);
+    const Vec3<Twofold> normal = cross(exact_difference(to_double(triangle[(nearest + 1) % 3]), a),
+                                       exact_difference(to_double(triangle[(nearest + 2) % 3]), a));
     const Twofold to_plane = dot(exact_difference(a, origin), normal);
     const Twofold approach = dot(exact_difference(direction, {}), normal);
     return to_plane.high / approach.high;

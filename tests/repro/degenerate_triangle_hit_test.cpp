@@ -29,5 +29,17 @@ TEST(DegenerateTriangleHit, IsAtTheRightDistanceIfThereIsOne) {
     }
 }
 
+// Measured from a corner at 1e38 the distance came out as -0. Found by fuzzing; the distance is
+// that of rational arithmetic.
+TEST(DegenerateTriangleHit, IsAtTheRightDistanceWithACornerFarAway) {
+    const Triangle triangle{Vec3f{-0x1.a8p+2F, -0x1.2ced32p+126F, -0x1.2ced32p+126F},
+                            {-0x1.701e1cp+22F, 0x1.ep+0F, 0x1.ap+0F},
+                            {0x1p-1F, 0x1.cp-1F, -0x1.ap+1F}};
+    const Ray ray{{0.5F, 24.9375F, -31.0625F}, {-223424.0F, -34.8125F, 29.5625F}};
+    const auto hit = intersect_triangle(ray, triangle);
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_NEAR(hit->t, 0.807626132, 1e-6);
+}
+
 }  // namespace
 }  // namespace coppice::test
