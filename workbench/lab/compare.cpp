@@ -1,6 +1,6 @@
-// Two results side by side. TreesById of one seed are the same for every run, and so are their
-// costs: what scatters is the seed, hence pairs. Times scatter within a run and drift between runs,
-// which no interval from one run knows: they have a tolerance beside it.
+// Two results side by side. Trees of one seed are the same for every run, and so are their costs:
+// what scatters is the seed, hence pairs. Times scatter within a run and drift between runs, which
+// no interval from one run knows: they have a tolerance beside it.
 
 #include "lab/compare.h"
 
@@ -56,12 +56,12 @@ std::vector<Measure> experiment_measures(bool with_rays) {
 }
 
 /// The trees of one row, by seed; a benchmark's have seed 0.
-using TreesById = std::map<std::uint64_t, json>;
+using TreesBySeed = std::map<std::uint64_t, json>;
 
 /// A result's rows under their names, in its order.
 struct Table {
     std::vector<std::string> names;
-    std::map<std::string, TreesById> rows;
+    std::map<std::string, TreesBySeed> rows;
 
     void add(const std::string& name, std::uint64_t seed, const json& row) {
         if (!rows.contains(name)) names.push_back(name);
@@ -126,7 +126,7 @@ double ratio_of(double before, double after) {
     return before > 0.0 ? after / before : std::numeric_limits<double>::infinity();
 }
 
-Pairs pairs_of(const TreesById& before, const TreesById& after, const std::string& key) {
+Pairs pairs_of(const TreesBySeed& before, const TreesBySeed& after, const std::string& key) {
     Pairs pairs;
     for (const auto& [seed, row] : before) {
         const auto other = after.find(seed);
@@ -163,7 +163,7 @@ bool is_beyond_noise(const Difference& found, Nature nature, const CompareOption
     return is_sure && (is_cost || distance > options.time_tolerance);
 }
 
-void compare_row(const std::string& name, const TreesById& before, const TreesById& after,
+void compare_row(const std::string& name, const TreesBySeed& before, const TreesBySeed& after,
                  std::span<const Measure> measures, const CompareOptions& options,
                  Comparison& comparison) {
     for (const Measure& measure : measures) {
