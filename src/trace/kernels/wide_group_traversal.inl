@@ -105,22 +105,15 @@ private:
         for (std::uint32_t count = leaf.block_count(); count > 0; --count, ++block) {
             for (unsigned rest = rays & alive_; rest != 0; rest &= rest - 1) {
                 const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-                if (test(members_[i], *block)) alive_ &= ~(1U << i);
-                exit_[i] = members_[i].query.limit();
+                Member& member = members_[i];
+                Sifted sifted;
+                sift_triangles(*block, member.sheared, sifted);
+                if (sifted.possible == 0) continue;
+                if (consider_all(member.query, *block, sifted)) alive_ &= ~(1U << i);
+                exit_[i] = member.query.limit();
             }
         }
         if (Query::nearest_first) set_limit();
-    }
-
-    // True if that ends the ray's search.
-    static bool test(Member& member, const TriangleBlock& block) noexcept {
-        Sifted sifted;
-        sift_triangles(block, member.sheared, sifted);
-        for (unsigned rest = sifted.possible; rest != 0; rest &= rest - 1) {
-            const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-            if (member.query.consider(block, lane, sifted)) return true;
-        }
-        return false;
     }
 
     void go_alone(WideChild at, unsigned rays) noexcept {

@@ -17,6 +17,16 @@ inline float first_of(float t_min) noexcept {
     return t_min < 0.0F ? below(t_min) : std::max(below(t_min), 0.0F);
 }
 
+// Shows a query the triangles that may be hit; true if that ends its search.
+template <typename Query>
+inline bool consider_all(Query& query, const TriangleBlock& block, const Sifted& sifted) noexcept {
+    for (unsigned rest = sifted.possible; rest != 0; rest &= rest - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
+        if (query.consider(block, lane, sifted)) return true;
+    }
+    return false;
+}
+
 // Whether anything is hit.
 class AnyHit {
 public:

@@ -165,10 +165,7 @@ private:
         for (std::uint32_t count = leaf.block_count(); count > 0; --count, ++block) {
             sift_triangles(*block, sheared_, sifted);
             if (sifted.possible == 0) continue;
-            for (unsigned rest = sifted.possible; rest != 0; rest &= rest - 1) {
-                const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
-                if (query_.consider(*block, lane, sifted)) return true;
-            }
+            if (consider_all(query_, *block, sifted)) return true;
             if (Query::nearest_first) set_limit();
         }
         return false;
