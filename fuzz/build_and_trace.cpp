@@ -79,15 +79,13 @@ BuildOptions take_options(FuzzedDataProvider& data, const Method& method) {
 
 /// Takes the triangles out that have no finite box; returns the id of the first, or their number.
 std::uint32_t drop_what_is_not_finite(TriangleMesh& mesh) {
-    const auto is_finite = [&](const TriangleIndices& corners) {
-        return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
-            const Vec3f& p = mesh.vertices[corner];
-            return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-        });
+    const auto are_finite = [&](const TriangleIndices& corners) {
+        return std::all_of(corners.begin(), corners.end(),
+                           [&](std::uint32_t corner) { return is_finite(mesh.vertices[corner]); });
     };
-    const auto first = std::find_if_not(mesh.triangles.begin(), mesh.triangles.end(), is_finite);
+    const auto first = std::find_if_not(mesh.triangles.begin(), mesh.triangles.end(), are_finite);
     const auto id = static_cast<std::uint32_t>(first - mesh.triangles.begin());
-    std::erase_if(mesh.triangles, [&](const TriangleIndices& each) { return !is_finite(each); });
+    std::erase_if(mesh.triangles, [&](const TriangleIndices& each) { return !are_finite(each); });
     return id;
 }
 

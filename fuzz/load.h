@@ -24,8 +24,7 @@ inline void expect_consistent(const TriangleMesh& mesh, const LoadReport& report
         expect(all_below(corners, mesh.vertices.size(), false), "corners that exist");
     }
     for (const Vec3f& vertex : mesh.vertices) {
-        expect(std::isfinite(vertex.x) && std::isfinite(vertex.y) && std::isfinite(vertex.z),
-               "finite coordinates");
+        expect(is_finite(vertex), "finite coordinates");
     }
     expect(report.triangle_count == mesh.triangles.size(), "all triangles in the report");
     expect(report.vertex_count == mesh.vertices.size(), "all vertices in the report");

@@ -6,26 +6,15 @@
 #include <fmt/format.h>
 
 #include <atomic>
-#include <cmath>
 
 namespace coppice {
-namespace {
-
-bool is_finite(const Aabb& box) {
-    const auto is_finite_at = [&](Axis axis) {
-        return std::isfinite(box.lower[axis]) && std::isfinite(box.upper[axis]);
-    };
-    return is_finite_at(Axis::x) && is_finite_at(Axis::y) && is_finite_at(Axis::z);
-}
-
-}  // namespace
 
 void require_finite_boxes(PrimitiveSetView primitives) {
     constexpr std::size_t chunk_size = 16384;
     std::atomic<std::uint32_t> first_bad = primitives.size();
     parallel_for_chunks(primitives.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
         auto id = static_cast<std::uint32_t>(begin);
-        while (id < end && is_finite(primitives.bounds(id))) {
+        while (id < end && primitives.bounds(id).is_finite()) {
             ++id;
         }
         std::uint32_t first = first_bad;

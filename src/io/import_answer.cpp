@@ -56,9 +56,7 @@ bool are_below(std::span<const TriangleIndices> triangles, std::size_t count) {
 }
 
 bool are_finite(std::span<const Vec3f> points) {
-    return std::all_of(points.begin(), points.end(), [](const Vec3f& p) {
-        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-    });
+    return std::all_of(points.begin(), points.end(), is_finite);
 }
 
 /// What an importer gives, and nothing else.

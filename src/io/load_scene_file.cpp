@@ -37,14 +37,14 @@ namespace {
 
 void append_vertices(LoadedMesh& loaded, const aiMesh& mesh, const aiMatrix4x4& to_world) {
     for (unsigned id = 0; id < mesh.mNumVertices; ++id) {
-        const aiVector3D position = to_world * mesh.mVertices[id];
-        if (!std::isfinite(position.x) || !std::isfinite(position.y) ||
-            !std::isfinite(position.z)) {
+        const aiVector3D moved = to_world * mesh.mVertices[id];
+        const Vec3f position{moved.x, moved.y, moved.z};
+        if (!is_finite(position)) {
             fail_in_mesh(loaded, mesh,
                          fmt::format("vertex {}: position ({}, {}, {}) is not finite", id,
                                      position.x, position.y, position.z));
         }
-        add_vertex(loaded, {position.x, position.y, position.z});
+        add_vertex(loaded, position);
     }
 }
 

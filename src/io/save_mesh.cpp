@@ -92,9 +92,6 @@ void write_ply(TriangleMeshView mesh, NewFile& file) {
 
 /// Refuses what load_mesh would refuse to read back.
 void check_is_writable(TriangleMeshView mesh, bool is_obj, const std::string& file) {
-    const auto is_finite = [](Vec3f v) {
-        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-    };
     const auto is_in_range = [&](const TriangleIndices& corners) {
         return *std::max_element(corners.begin(), corners.end()) < mesh.vertices().size();
     };

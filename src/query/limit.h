@@ -2,15 +2,12 @@
 
 #include "coppice/geom/vec3.h"
 
-#include <cmath>
-
 namespace coppice {
 
 /// What a query near a point does for a point that is not finite, or a distance that is negative
 /// or NaN: nothing.
 [[nodiscard]] inline bool is_searchable(Vec3f point, float max_distance) noexcept {
-    return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z) &&
-           max_distance >= 0.0F;
+    return is_finite(point) && max_distance >= 0.0F;
 }
 
 /// The square of a distance, exact; infinite stays so.

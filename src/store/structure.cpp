@@ -53,15 +53,8 @@ std::string bad_child(std::size_t node, std::uint64_t child, std::size_t count) 
 
 /// Finite, or those of nothing: searches scale distances by them. Empty text if they are.
 std::string find_bounds_flaw(const Aabb& bounds) {
-    if (bounds == Aabb{}) return {};
-    for (const Axis axis : all_axes) {
-        const bool is_finite =
-            std::isfinite(bounds.lower[axis]) && std::isfinite(bounds.upper[axis]);
-        if (!is_finite || bounds.lower[axis] > bounds.upper[axis]) {
-            return "its bounds are no finite box";
-        }
-    }
-    return {};
+    const bool is_sound = bounds == Aabb{} || (bounds.is_finite() && !bounds.is_empty());
+    return is_sound ? "" : "its bounds are no finite box";
 }
 
 /// The first of `count` things that is not as it should be, or `count`.

@@ -146,9 +146,7 @@ double tan_half(double fov) {
 
 /// A camera whose eye was chosen: throws Error(limit) if that is beyond the range of float.
 const Camera& checked(const Camera& camera) {
-    if (std::isfinite(camera.eye.x) && std::isfinite(camera.eye.y) && std::isfinite(camera.eye.z)) {
-        return camera;
-    }
+    if (is_finite(camera.eye)) return camera;
     throw Error(ErrorCode::limit,
                 "the scene is too large to be seen from outside in single precision: "
                 "give an eye within it, and a point to look at");

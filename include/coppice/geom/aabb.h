@@ -26,6 +26,11 @@ struct Aabb {
         return !(lower.x <= upper.x && lower.y <= upper.y && lower.z <= upper.z);
     }
 
+    /// True if no bound is NaN or infinite.
+    [[nodiscard]] bool is_finite() const noexcept {
+        return coppice::is_finite(lower) && coppice::is_finite(upper);
+    }
+
     /// Edge length along an axis, in double so that no finite box overflows; 0 if empty.
     [[nodiscard]] constexpr double extent(Axis axis) const noexcept {
         return std::max(0.0, static_cast<double>(upper[axis]) - static_cast<double>(lower[axis]));

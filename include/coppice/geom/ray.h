@@ -23,9 +23,6 @@ struct Ray {
 /// True if a ray can hit anything: finite origin, finite direction other than zero, and
 /// t_min <= t_max with t_max >= 0. All other rays hit nothing.
 [[nodiscard]] inline bool is_traceable(const Ray& ray) noexcept {
-    const auto is_finite = [](Vec3f v) {
-        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-    };
     return is_finite(ray.origin) && is_finite(ray.direction) && ray.direction != Vec3f{} &&
            ray.t_min <= ray.t_max && ray.t_max >= 0.0F;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -51,6 +52,11 @@ using Vec3d = Vec3<double>;
 /// The nearest vector in single precision.
 [[nodiscard]] constexpr Vec3f to_float(Vec3d v) noexcept {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+/// True if no coordinate is NaN or infinite.
+[[nodiscard]] inline bool is_finite(Vec3f v) noexcept {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 template <typename T>
