@@ -12,13 +12,16 @@
 namespace coppice {
 namespace {
 
-constexpr std::array all_isas{Isa::scalar, Isa::sse42, Isa::avx2};
+constexpr std::array all_isas{Isa::scalar, Isa::sse42, Isa::avx2, Isa::avx512};
 
-// How many of all_isas this processor has: each has those before.
+// How many of all_isas this processor has.
 std::size_t count_isas() noexcept {
 #if defined(__x86_64__)
     if (__builtin_cpu_supports("sse4.2") == 0) return 1;
-    return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0 ? 3 : 2;
+    if (__builtin_cpu_supports("avx2") == 0 || __builtin_cpu_supports("fma") == 0) return 2;
+    const bool has_avx512 =
+        __builtin_cpu_supports("avx512vl") != 0 && __builtin_cpu_supports("avx512dq") != 0;
+    return has_avx512 ? 4 : 3;
 #else
     return 1;
 #endif
@@ -34,6 +37,8 @@ std::string_view name_of(Isa isa) noexcept {
             return "sse4.2";
         case Isa::avx2:
             return "avx2";
+        case Isa::avx512:
+            return "avx512";
     }
     return "";
 }

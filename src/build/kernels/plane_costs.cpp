@@ -48,7 +48,7 @@ COPPICE_END_ISA
 
 PlaneKernel plane_kernel_for([[maybe_unused]] Isa isa) noexcept {
 #if defined(__x86_64__)
-    if (isa == Isa::avx2) return &avx2::find_best_plane;
+    if (isa >= Isa::avx2) return &avx2::find_best_plane;
 #endif
     return &scalar::find_best_plane;
 }

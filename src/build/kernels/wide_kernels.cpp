@@ -6,7 +6,7 @@ namespace coppice::wide {
 
 const Kernels& kernels_for([[maybe_unused]] Isa isa) noexcept {
 #if defined(__x86_64__)
-    if (isa == Isa::avx2) return avx2_kernels();
+    if (isa >= Isa::avx2) return avx2_kernels();
 #endif
     return scalar_kernels();
 }

@@ -4,7 +4,7 @@ namespace coppice {
 
 const MeshSearchKernels& mesh_search_kernels_for([[maybe_unused]] Isa isa) noexcept {
 #if defined(__x86_64__)
-    if (isa == Isa::avx2) return avx2_mesh_search_kernels();
+    if (isa >= Isa::avx2) return avx2_mesh_search_kernels();
 #endif
     return scalar_mesh_search_kernels();
 }

@@ -1,5 +1,5 @@
-// Eight lanes of floats in a 256-bit register. Part of a kernel source; the twin of
-// lanes_scalar.inl.
+// Eight lanes of floats in a 256-bit register. Part of a kernel source; with a compare_*.inl the
+// twin of lanes_scalar.inl.
 
 struct Lanes {
     __m256 lane;
@@ -55,16 +55,9 @@ inline Lanes abs(Lanes a) noexcept {
     return {_mm256_andnot_ps(_mm256_set1_ps(-0.0F), a.lane)};
 }
 
-inline unsigned less_equal(Lanes a, Lanes b) noexcept {
-    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a.lane, b.lane, _CMP_LE_OQ)));
-}
-
-inline unsigned less(Lanes a, Lanes b) noexcept {
-    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a.lane, b.lane, _CMP_LT_OQ)));
-}
-
-// The larger and the smaller of two, and which of a is not above b, compared as integers: one cycle
-// instead of four. That is the order of floats but for NaN and two that are both negative (or -0).
+// The larger and the smaller of two, and which of a is not above b (bits_less_equal), compared as
+// integers: one cycle instead of four. That is the order of floats but for NaN and two that are
+// both negative (or -0).
 inline Lanes bits_max(Lanes a, Lanes b) noexcept {
     return {_mm256_castsi256_ps(
         _mm256_max_epi32(_mm256_castps_si256(a.lane), _mm256_castps_si256(b.lane)))};
@@ -73,10 +66,4 @@ inline Lanes bits_max(Lanes a, Lanes b) noexcept {
 inline Lanes bits_min(Lanes a, Lanes b) noexcept {
     return {_mm256_castsi256_ps(
         _mm256_min_epi32(_mm256_castps_si256(a.lane), _mm256_castps_si256(b.lane)))};
-}
-
-inline unsigned bits_less_equal(Lanes a, Lanes b) noexcept {
-    const __m256i is_greater =
-        _mm256_cmpgt_epi32(_mm256_castps_si256(a.lane), _mm256_castps_si256(b.lane));
-    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(is_greater))) ^ 0xffU;
 }

@@ -58,6 +58,11 @@ inline Lanes abs(Lanes a) noexcept {
     return {_mm_andnot_ps(sign, a.low), _mm_andnot_ps(sign, a.high)};
 }
 
+// The larger of two without their signs.
+inline Lanes larger_size(Lanes a, Lanes b) noexcept {
+    return max(abs(a), abs(b));
+}
+
 // A bit for every lane that is set in its sign.
 inline unsigned signs_of(__m128 low, __m128 high) noexcept {
     return static_cast<unsigned>(_mm_movemask_ps(low) | _mm_movemask_ps(high) << 4);

@@ -106,10 +106,7 @@ private:
             for (unsigned rest = rays & alive_; rest != 0; rest &= rest - 1) {
                 const auto i = static_cast<std::size_t>(std::countr_zero(rest));
                 Member& member = members_[i];
-                Sifted sifted;
-                sift_triangles(*block, member.sheared, sifted);
-                if (sifted.possible == 0) continue;
-                if (consider_all(member.query, *block, sifted)) alive_ &= ~(1U << i);
+                if (show(*block, member.sheared, member.query)) alive_ &= ~(1U << i);
                 exit_[i] = member.query.limit();
             }
         }

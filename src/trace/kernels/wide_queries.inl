@@ -17,9 +17,11 @@ inline float first_of(float t_min) noexcept {
     return t_min < 0.0F ? below(t_min) : std::max(below(t_min), 0.0F);
 }
 
-// Shows a query the triangles that may be hit; true if that ends its search.
+// Shows a query the triangles of a block that may be hit; true if that ends its search.
 template <typename Query>
-inline bool consider_all(Query& query, const TriangleBlock& block, const Sifted& sifted) noexcept {
+inline bool show(const TriangleBlock& block, const ShearedRay& ray, Query& query) noexcept {
+    Sifted sifted;
+    sift_triangles(block, ray, sifted);
     for (unsigned rest = sifted.possible; rest != 0; rest &= rest - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(rest));
         if (query.consider(block, lane, sifted)) return true;

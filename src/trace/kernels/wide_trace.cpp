@@ -13,6 +13,7 @@ bool decide_alone(const TriangleBlock& block, std::size_t lane, const Ray& ray, 
 
 const TraceKernels& trace_kernels_for([[maybe_unused]] Isa isa) noexcept {
 #if defined(__x86_64__)
+    if (isa == Isa::avx512) return avx512_trace_kernels();
     if (isa == Isa::avx2) return avx2_trace_kernels();
     if (isa == Isa::sse42) return sse42_trace_kernels();
 #endif

@@ -36,5 +36,6 @@ struct TraceKernels {
 [[nodiscard]] const TraceKernels& scalar_trace_kernels() noexcept;
 [[nodiscard]] const TraceKernels& sse42_trace_kernels() noexcept;
 [[nodiscard]] const TraceKernels& avx2_trace_kernels() noexcept;
+[[nodiscard]] const TraceKernels& avx512_trace_kernels() noexcept;
 
 }  // namespace coppice

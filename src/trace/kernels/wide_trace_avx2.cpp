@@ -25,6 +25,7 @@ namespace {
 // Each of these builds on those before.
 // clang-format off
 #include "trace/kernels/lanes_avx2.inl"
+#include "trace/kernels/compare_avx2.inl"
 #include "trace/kernels/decide_avx2.inl"
 #include "trace/kernels/wide_trace.inl"
 // clang-format on

@@ -160,12 +160,9 @@ private:
     // True if that ends the search.
     bool visit_leaf(WideChild leaf) noexcept {
         counter_.add_leaf(leaf.block_count());
-        Sifted sifted;
         const TriangleBlock* block = blocks_ + leaf.first_block();
         for (std::uint32_t count = leaf.block_count(); count > 0; --count, ++block) {
-            sift_triangles(*block, sheared_, sifted);
-            if (sifted.possible == 0) continue;
-            if (consider_all(query_, *block, sifted)) return true;
+            if (show(*block, sheared_, query_)) return true;
             if (Query::nearest_first) set_limit();
         }
         return false;

@@ -76,9 +76,9 @@ inline void sift_triangles(const TriangleBlock& block, const ShearedRay& ray,
     const Lanes3 weight{multiply_subtract(c.x, b.y, c.y * b.x),
                         multiply_subtract(a.x, c.y, a.y * c.x),
                         multiply_subtract(b.x, a.y, b.y * a.x)};
-    const Lanes m =
-        max(max(max(abs(a.x), abs(a.y)), max(abs(b.x), abs(b.y))), max(abs(c.x), abs(c.y)));
-    const Lanes z_size = max(abs(a.z), max(abs(b.z), abs(c.z)));
+    const Lanes m = larger_size(larger_size(larger_size(a.x, a.y), larger_size(b.x, b.y)),
+                                larger_size(c.x, c.y));
+    const Lanes z_size = larger_size(a.z, larger_size(b.z, c.z));
     const Lanes reach = m + z_size;
     // The products first: they overflow wherever those of the weights do.
     const Lanes error = broadcast(0x1.0p-19F) * (reach * m) +
