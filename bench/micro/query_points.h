@@ -12,18 +12,20 @@
 
 namespace coppice::bench {
 
+[[nodiscard]] inline std::vector<Vec3f> make_query_points() {
+    std::vector<Vec3f> made;
+    for (std::uint64_t i = 0; i < 4096; ++i) {
+        const auto number = [&](std::uint64_t k) {
+            return static_cast<float>(random_unit(3, 3 * i + k));
+        };
+        made.push_back({number(0), number(1), 0.2F * number(2) - 0.1F});
+    }
+    return made;
+}
+
 /// 4,096 points in the box of the terrain, in no order, the same each time.
 [[nodiscard]] inline const std::vector<Vec3f>& query_points() {
-    static const std::vector<Vec3f> points = [] {
-        std::vector<Vec3f> made;
-        for (std::uint64_t i = 0; i < 4096; ++i) {
-            const auto number = [&](std::uint64_t k) {
-                return static_cast<float>(random_unit(3, 3 * i + k));
-            };
-            made.push_back({number(0), number(1), 0.2F * number(2) - 0.1F});
-        }
-        return made;
-    }();
+    static const std::vector<Vec3f> points = make_query_points();
     return points;
 }
 
