@@ -72,7 +72,7 @@ expect_exit 0 coppice trace "$name.ply" --size 10 --rays primary --json "$name.j
 is_json <"$name.json"
 expect_exit 0 coppice bench "$name.ply" --runs 1 --size 10 --json bench.json
 is_json <bench.json
-expect_exit 0 coppice tune "$name.ply" --runs 1 --json tune.json
+expect_exit 0 coppice tune "$name.ply" --runs 1 --size 32 --json tune.json
 is_json <tune.json
 expect_exit 0 coppice experiment "$name.ply" --rates 50 --no-pictures --out "$name"
 is_json <"$name/results.json"

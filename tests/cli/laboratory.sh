@@ -4,11 +4,11 @@ source "$(dirname "$0")/lib.bash"
 coppice generate spheres --triangles 3000 -o balls.ply >/dev/null
 expect_exit 0 coppice experiment balls.ply --protocols fixed,scaled,grown --rates 100,10 \
     --methods exact,binned,sampled,fast --samplers uniform,weighted --rays primary,shadow,axis \
-    --size 32 --eye=-0.5,2,3 --no-pictures --out lab
+    --size 16 --eye=-0.5,2,3 --no-pictures --out lab
 expect_stderr "^coppice: note: balls: fast has the same sample at 10 % as at another rate"
 expect_stdout '^grown, weighted sample: '
 expect_stdout '^binned: '
-expect_stdout '^balls, rays through each tree of triangles \(points are not traced\): 1024 primary'
+expect_stdout '^balls, rays through each tree of triangles \(points are not traced\): 256 primary'
 expect_stdout 'kd trees, all rays: -?[01]\.[0-9]+ with the time of a ray'
 expect_stdout 't_trav = [0-9.e+-]+ ns, t_isect = [0-9.e+-]+ ns; R\^2 = .*, RMS = .*, n = '
 python3 - <<'PY' || fail 'the results are not what they should be'
