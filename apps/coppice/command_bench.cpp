@@ -71,18 +71,11 @@ void add_how(CLI::App& parser, lab::BenchOptions& options) {
               1, lab::BenchOptions::max_runs);
     add_memory_limit(parser, options.memory_limit_bytes,
                      "Fail early if scene and a build of ours would take more: 512M, 2G");
-    add_list_option(
+    const auto kinds = lab::rendering_ray_kinds();
+    add_ray_kinds(
         parser,
-        {"--rays", "LIST", "Kinds of rays: " + lab::names_of(lab::rendering_ray_kinds()),
-         "primary,shadow,diffuse"},
-        [&options](const std::vector<std::string>& texts) {
-            const auto registry = lab::rendering_ray_kinds();
-            options.rays.clear();
-            for (const std::string& name : parse_list("--rays", texts, "primary,diffuse")) {
-                require_name("--rays", name, names_in(registry));
-                options.rays.push_back(lab::find_named(registry, name, "kind of rays").kind);
-            }
-        });
+        {"--rays", "LIST", "Kinds of rays: " + lab::names_of(kinds), "primary,shadow,diffuse"},
+        kinds, options.rays);
     add_switch(parser, "--batched", "Hand rays over in arrays (Embree: rtcIntersect1M)",
                [&options] { options.is_batched = true; });
 }

@@ -36,15 +36,8 @@ struct TraceRequest {
 
 void add_rays(CLI::App& parser, lab::TraceOptions& options) {
     const auto kinds = lab::ray_kind_registry();
-    add_list_option(
-        parser, {"--rays", "LIST", listing("Kinds of rays", names_in(kinds)), "all"},
-        [&options, kinds](const std::vector<std::string>& texts) {
-            options.rays.clear();
-            for (const std::string& name : parse_list("--rays", texts, "axis,random")) {
-                require_name("--rays", name, names_in(kinds));
-                options.rays.push_back(lab::find_named(kinds, name, "kind of rays").kind);
-            }
-        });
+    add_ray_kinds(parser, {"--rays", "LIST", listing("Kinds of rays", names_in(kinds)), "all"},
+                  kinds, options.rays);
     add_whole(parser, {"--size", "N", "N x N rays of each kind: the pixels of an image", "1000"},
               options.size, 1, lab::TraceOptions::max_size);
 }

@@ -44,18 +44,11 @@ void add_what_to_measure(CLI::App& parser, lab::TuneOptions& options) {
                     [&options](const std::vector<std::string>& texts) {
                         options.percents = parse_percents("--rates", texts);
                     });
-    add_list_option(
+    const auto kinds = lab::rendering_ray_kinds();
+    add_ray_kinds(
         parser,
-        {"--kinds", "LIST", "Kinds of rays: " + lab::names_of(lab::rendering_ray_kinds()),
-         "primary,shadow,diffuse"},
-        [&options](const std::vector<std::string>& texts) {
-            const auto registry = lab::rendering_ray_kinds();
-            options.rays.clear();
-            for (const std::string& name : parse_list("--kinds", texts, "primary,diffuse")) {
-                require_name("--kinds", name, names_in(registry));
-                options.rays.push_back(lab::find_named(registry, name, "kind of rays").kind);
-            }
-        });
+        {"--kinds", "LIST", "Kinds of rays: " + lab::names_of(kinds), "primary,shadow,diffuse"},
+        kinds, options.rays);
 }
 
 void add_how_to_measure(CLI::App& parser, lab::TuneOptions& options) {

@@ -50,27 +50,11 @@ void add_samplers(CLI::App& parser, ExperimentRequest& request) {
 
 void add_rays(CLI::App& parser, lab::ExperimentOptions& options) {
     const auto kinds = lab::ray_kind_registry();
-    add_list_option(
+    add_ray_kinds(
         parser,
         {"--rays", "LIST",
          listing("Trace trees of triangles: all, or kinds of rays", names_in(kinds)), "none"},
-        [&options, kinds](const std::vector<std::string>& texts) {
-            options.rays.clear();
-            std::vector<std::string_view> names = names_in(kinds);
-            names.insert(names.begin(), "all");
-            const auto add = [&](lab::RayKind kind) {
-                const auto& rays = options.rays;
-                if (std::find(rays.begin(), rays.end(), kind) == rays.end()) {
-                    options.rays.push_back(kind);
-                }
-            };
-            for (const std::string& name : parse_list("--rays", texts, "primary,shadow,diffuse")) {
-                require_name("--rays", name, names);
-                for (const lab::RayKindEntry& entry : kinds) {
-                    if (name == "all" || name == entry.name) add(entry.kind);
-                }
-            }
-        });
+        kinds, options.rays);
     add_whole(parser, {"--size", "N", "N x N rays of each kind: the pixels of an image", "256"},
               options.size, 1, lab::ExperimentOptions::max_size);
     add_camera(parser, options.camera);

@@ -13,8 +13,25 @@
 #include <new>
 #include <system_error>
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
+namespace {
+
+/// Makes every freed array of a MiB and more leave the process: by default the limit grows to 32
+/// MiB with the arrays that were freed, and a build then holds up to a third more than it uses.
+void give_back_large_arrays() noexcept {
+#if defined(__GLIBC__)
+    mallopt(M_MMAP_THRESHOLD, 1 << 20);
+#endif
+}
+
+}  // namespace
+
 int main(int argument_count, char** arguments) {
     using namespace coppice;
+    give_back_large_arrays();
     app::hold_standard_streams();
     std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is a failed write, see Output
     try {

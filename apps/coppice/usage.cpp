@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <numeric>
@@ -176,7 +177,10 @@ void require_name(std::string_view option, std::string_view name,
                                  suggestion(name, names), fmt::join(names, ", ")));
 }
 
-std::string suggestion(std::string_view name, std::span<const std::string_view> names) {
+std::string suggestion(std::string_view given, std::span<const std::string_view> names) {
+    std::string name(given);
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
     const std::string_view* nearest = nullptr;
     std::size_t nearest_distance = std::max<std::size_t>(2, name.size() / 3) + 1;
     for (const std::string_view& candidate : names) {

@@ -1,6 +1,8 @@
 #include "view_arguments.h"
 
-#include "options.h"
+#include <algorithm>
+#include <string>
+#include <string_view>
 
 namespace coppice::app {
 
@@ -17,6 +19,25 @@ void add_camera(CLI::App& parser, render::CameraWish& camera) {
     parser.add_option_function<std::string>("--fov", read_fov, "Field of view from bottom to top")
         ->type_name("DEGREES")
         ->default_str("45; in a room 60");
+}
+
+void add_ray_kinds(CLI::App& parser, const OptionText& text,
+                   std::span<const lab::RayKindEntry> known, std::vector<lab::RayKind>& kinds) {
+    const auto read = [option = text.name, known, &kinds](const std::vector<std::string>& texts) {
+        kinds.clear();
+        std::vector<std::string_view> names = names_in(known);
+        names.insert(names.begin(), "all");
+        for (const std::string& name : parse_list(option, texts, "primary,diffuse")) {
+            require_name(option, name, names);
+            for (const lab::RayKindEntry& entry : known) {
+                const bool is_meant = name == "all" || name == entry.name;
+                const bool is_new =
+                    std::find(kinds.begin(), kinds.end(), entry.kind) == kinds.end();
+                if (is_meant && is_new) kinds.push_back(entry.kind);
+            }
+        }
+    };
+    add_list_option(parser, text, read);
 }
 
 }  // namespace coppice::app

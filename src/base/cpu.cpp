@@ -6,7 +6,9 @@
 #include <fmt/ranges.h>
 
 #include <array>
+#include <cctype>
 #include <cstdlib>
+#include <string>
 #include <vector>
 
 namespace coppice {
@@ -25,6 +27,15 @@ std::size_t count_isas() noexcept {
 #else
     return 1;
 #endif
+}
+
+// In lower case and without dots: SSE42 is sse4.2.
+std::string plain(std::string_view name) {
+    std::string text;
+    for (const char c : name) {
+        if (c != '.') text += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return text;
 }
 
 }  // namespace
@@ -54,7 +65,7 @@ Isa choose_isa() {
     if (wanted == nullptr || *wanted == '\0') return available.back();
     std::vector<std::string_view> names;
     for (const Isa isa : available) {
-        if (name_of(isa) == wanted) return isa;
+        if (plain(name_of(isa)) == plain(wanted)) return isa;
         names.push_back(name_of(isa));
     }
     throw Error(

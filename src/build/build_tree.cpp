@@ -98,6 +98,7 @@ KdTree build_kd_tree(PrimitiveSetView primitives, const BuildOptions& options, B
         if (report == nullptr) return;
         begin_stage(progress, Shares(options).measure);
         own_report.tree_bytes = tree.byte_count();
+        own_report.peak_bytes = std::max(own_report.peak_bytes, own_report.tree_bytes);
         own_report.statistics = measure(tree, options.cost);
     });
     if (report != nullptr) *report = std::move(own_report);

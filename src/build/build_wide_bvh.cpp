@@ -153,6 +153,7 @@ WideBvh build_wide_bvh(TriangleMeshView mesh, const BuildOptions& options, Build
         if (report == nullptr) return;
         begin_stage(progress, 0.05);
         own_report.tree_bytes = tree.byte_count();
+        own_report.peak_bytes = std::max(own_report.peak_bytes, own_report.tree_bytes);
         own_report.statistics = measure(tree, options.cost);
     });
     if (report != nullptr) *report = std::move(own_report);

@@ -16,6 +16,7 @@
 #include "coppice/base/parallel.h"
 #include "coppice/build/refine.h"
 
+#include "base/free_memory.h"
 #include "build/horizon.h"
 #include "build/kd_builder.h"
 #include "build/partition.h"
@@ -140,7 +141,7 @@ private:
         MeteredBytes bytes(division_.meter, node.fragments);
         Partition sides = partition(node.fragments, plane, old.planar_side(), division_);
         const std::size_t fragment_count = node.fragments.size();
-        node.fragments = {};  // freed before the recursion, which needs the memory
+        free_memory(node.fragments);  // freed before the recursion, which needs the memory
         bytes.release();
         const int depth = node.depth + 1;
         const NodeShares shares =

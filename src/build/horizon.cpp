@@ -7,6 +7,8 @@
 
 #include "coppice/base/parallel.h"
 
+#include "base/free_memory.h"
+
 #include <algorithm>
 #include <array>
 
@@ -75,7 +77,7 @@ void sort_by_cell(Sent& sent, std::size_t cell_count) {
     next.pop_back();
     sent.ends = std::move(next);
     sent.fragments = std::move(sorted);
-    sent.cells = {};
+    free_memory(sent.cells);
 }
 
 std::vector<Fragment> gathered(std::span<const Sent> chunks, std::size_t cell) {
@@ -136,7 +138,7 @@ std::vector<std::vector<Fragment>> Horizon::distribute(std::vector<Fragment> fra
         sort_by_cell(sent, cells_.size());
         sent.bytes = {division.meter, sent.fragments};
     });
-    fragments = {};
+    free_memory(fragments);
     bytes.release();
     std::vector<std::vector<Fragment>> of_cells(cells_.size());
     std::vector<MeteredBytes> cell_bytes(cells_.size());

@@ -2,6 +2,8 @@
 
 #include "coppice/base/parallel.h"
 
+#include "base/free_memory.h"
+
 #include <utility>
 
 namespace coppice {
@@ -67,7 +69,7 @@ TreePart KdBuilder::build(std::vector<Fragment> fragments, NodeState node) const
     const Plane plane = split->plane;
     const std::size_t count = fragments.size();
     Partition sides = partition(fragments, plane, split->planar_side, division_);
-    fragments = {};  // freed before the recursion, which needs the memory
+    free_memory(fragments);  // freed before the recursion, which needs the memory
     bytes.release();
     const double more = ratio(sides.below.size() + sides.above.size(), count);
     const NodeShares shares =

@@ -8,6 +8,8 @@
 
 #include "coppice/base/parallel.h"
 
+#include "base/free_memory.h"
+
 #include <algorithm>
 #include <cstddef>
 
@@ -46,7 +48,7 @@ std::vector<Fragment> joined(std::span<Partition> chunks, std::vector<Fragment> 
         std::vector<Fragment>& part = chunks[i].*side;
         std::copy(part.begin(), part.end(),
                   all.begin() + static_cast<std::ptrdiff_t>(ends[i] - part.size()));
-        part = {};
+        free_memory(part);
     });
     return all;
 }

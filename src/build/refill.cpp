@@ -10,6 +10,7 @@
 #include "coppice/base/parallel.h"
 #include "coppice/tree/walk.h"
 
+#include "base/free_memory.h"
 #include "build/horizon.h"
 #include "build/partition.h"
 #include "build/tree_part.h"
@@ -43,7 +44,7 @@ public:
             return;
         }
         Partition sides = partition(fragments, node.plane(), node.planar_side(), division_);
-        fragments = {};
+        free_memory(fragments);
         bytes.release();
         fill(node.lower_child(), sides.take_below(), references);
         fill(node.upper_child(), sides.take_above(), references);
@@ -65,7 +66,7 @@ private:
         });
         for (std::size_t cell = 0; cell < parts.size(); ++cell) {
             references.insert(references.end(), parts[cell].begin(), parts[cell].end());
-            parts[cell] = {};
+            free_memory(parts[cell]);
             part_bytes[cell].release();
         }
     }

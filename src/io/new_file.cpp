@@ -1,6 +1,7 @@
 #include "io/new_file.h"
 
 #include "coppice/base/error.h"
+#include "coppice/io/write_file.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -23,19 +24,7 @@ std::string temporary_name() {
 
 }  // namespace
 
-NewFile::NewFile(const std::filesystem::path& file) : file_(file), target_(file) {
-    std::error_code problem;
-    if (std::filesystem::is_symlink(file, problem)) {
-        target_ = std::filesystem::weakly_canonical(file, problem);
-    }
-    const std::filesystem::file_status status = std::filesystem::status(target_, problem);
-    if (std::filesystem::is_directory(status)) {
-        throw file_error(ErrorCode::io, file.string(), "is a directory");
-    }
-    // A device or pipe would be replaced by the rename.
-    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-        throw file_error(ErrorCode::io, file.string(), "not a regular file");
-    }
+NewFile::NewFile(const std::filesystem::path& file) : file_(file), target_(write_target(file)) {
     do {
         temporary_ = target_.parent_path() / temporary_name();
         stream_ = std::fopen(temporary_.c_str(), "wbx");
@@ -68,13 +57,18 @@ void NewFile::sync() {
     }
 }
 
-void NewFile::commit() {
-    // Closing writes what is still in the buffer: a full disk may show only here.
+void NewFile::close() {
+    if (stream_ == nullptr) return;
+    // Writes what is still in the buffer: a full disk may show only here.
     std::FILE* const stream = stream_;
     stream_ = nullptr;
     if (std::fclose(stream) != 0) {
         fail(errno);
     }
+}
+
+void NewFile::commit() {
+    close();
     std::error_code problem;
     std::filesystem::rename(temporary_, target_, problem);
     if (problem) {

@@ -28,6 +28,9 @@ public:
     /// Waits until all that was written is on the disk. Throws Error(io).
     void sync();
 
+    /// Ends the writing: only commit() may follow. Throws Error(io).
+    void close();
+
     /// Gives the file its final name. Throws Error(io).
     void commit();
 

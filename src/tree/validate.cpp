@@ -9,6 +9,7 @@
 
 #include "coppice/tree/walk.h"
 
+#include "base/free_memory.h"
 #include "tree/finding_list.h"
 
 #include <algorithm>
@@ -169,7 +170,7 @@ private:
         const Place upper{node.upper_child(), above(at.box, plane), above(at.inside, upper_plane)};
         auto lower_candidates = reaching(candidates, lower.inside);
         auto upper_candidates = reaching(candidates, upper.inside);
-        candidates = {};
+        free_memory(candidates);
         descend(lower, std::move(lower_candidates));
         descend(upper, std::move(upper_candidates));
     }

@@ -7,6 +7,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cctype>
+#include <cstdlib>
+#include <string>
+
 namespace coppice::test {
 namespace {
 
@@ -22,6 +26,18 @@ TEST(ChooseIsa, TakesTheFastestUnlessTold) {
         const ForceIsa force(isa);
         EXPECT_EQ(choose_isa(), isa);
     }
+}
+
+TEST(ChooseIsa, KnowsNamesInAnyCaseAndWithoutDots) {
+    for (const Isa isa : available_isas()) {
+        std::string name;
+        for (const char c : name_of(isa)) {
+            if (c != '.') name += static_cast<char>(std::toupper(c));
+        }
+        setenv("COPPICE_ISA", name.c_str(), 1);
+        EXPECT_EQ(choose_isa(), isa) << name;
+    }
+    unsetenv("COPPICE_ISA");
 }
 
 TEST(ChooseIsa, RefusesWhatIsNotThere) {

@@ -109,6 +109,15 @@ for how in 'build balls.ply -o none/a.cpk' 'render balls.ply -o none/a.png' \
     expect_stdout_empty # found out before any work
 done
 expect_no_file none
+mkfifo pipe pipe.png
+for how in 'trace balls.ply --json pipe' 'bench balls.ply --json pipe' 'tune balls.ply --json pipe' \
+    'render balls.ply -o pipe.png' 'build balls.ply -o pipe'; do
+    # shellcheck disable=SC2086 # several arguments
+    failing '^coppice: pipe(\.png)?: not a regular file$' coppice $how
+    expect_stdout_empty
+done
+[[ -p pipe && -p pipe.png ]] || fail 'a pipe was replaced'
+rm pipe pipe.png
 
 # A disk that is full, and one that may not be written to. Needs the right to mount.
 export name

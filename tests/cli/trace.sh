@@ -18,7 +18,7 @@ for method in sampled fast; do
 done
 
 # Counts, as text and in the JSON; kinds in the order asked for.
-expect_exit 0 coppice trace balls.ply --size 10 --rays axis,random --method exact --count \
+expect_exit 0 coppice trace balls.ply --size 10 --rays axis,random,axis --method exact --count \
     --seed 3 --eye 50,60,70 --look-at 0,0,0 --json new/trace.json
 expect_stdout '^axis +nodes +[0-9]+\.[0-9]+ +[0-9]+ +[0-9]+ +[0-9]+ +[0-9]+$'
 expect_stdout '^random +primitives +[0-9]'
@@ -60,6 +60,9 @@ else
     expect_exit 2 coppice trace town.obj --check embree
     expect_stderr 'built without Embree'
 fi
+
+expect_exit 0 coppice trace balls.ply --size 4 --rays all --json all.json
+expect_equal "$(python3 -c 'import json; print(len(json.load(open("all.json"))["scenes"][0]["rows"]))')" 6
 
 # Failures: one line, and nothing written.
 expect_exit 1 coppice trace missing.obj --json failed.json

@@ -80,7 +80,7 @@ wrong "--sampler: unknown name 'best'; there are: uniform" experiment x.obj --sa
 wrong "--method: unknown name 'fsat' \(did you mean 'fast'\?\); there are: exact, binned, sampled," \
     build x.obj --method fsat
 wrong "--methods: unknown name 'embree'; there are: exact," bench x.obj --methods exact,embree
-wrong "--rays: unknown name 'ambient'; there are: primary, shadow, diffuse$" \
+wrong "--rays: unknown name 'ambient'; there are: all, primary, shadow, diffuse$" \
     bench x.obj --rays ambient
 wrong "KIND: unknown name 'teapot'; there are: terrain, spheres, soup, city$" \
     generate teapot -o x.obj

@@ -5,6 +5,7 @@
 #include "lab/lab_scenes.h"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <array>
 
@@ -62,6 +63,26 @@ TEST(OutputFolder, RefusesAFolderInPlaceOfAFile) {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder.path() / "b.txt");
     EXPECT_THROW(check_writable(folder.path(), names), Error);
+    EXPECT_EQ(folder.listing(), "b.txt\n");
+}
+
+TEST(OutputFolder, ReplacesWhatALinkLeadsTo) {
+    const TemporaryFolder folder;
+    static_cast<void>(folder.make_file("old.txt", "old"));
+    std::filesystem::create_symlink("old.txt", folder.path() / "a.txt");
+    check_file_writable(folder.path() / "a.txt");
+    write_all(folder.path(), two_files());
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "a.txt"));
+    EXPECT_EQ(test::read_file(folder.path() / "old.txt"), "one");
+}
+
+TEST(OutputFolder, RefusesToReplaceAPipe) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(mkfifo((folder.path() / "b.txt").c_str(), 0600), 0);
+    EXPECT_THROW(check_writable(folder.path(), names), Error);
+    EXPECT_THROW(check_file_writable(folder.path() / "b.txt"), Error);
+    EXPECT_THROW(write_all(folder.path(), two_files()), Error);
+    EXPECT_TRUE(std::filesystem::is_fifo(folder.path() / "b.txt"));
     EXPECT_EQ(folder.listing(), "b.txt\n");
 }
 

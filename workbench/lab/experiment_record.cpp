@@ -134,9 +134,8 @@ ExperimentRecord load_record(const std::filesystem::path& file) {
     if (!stream) throw file_error(ErrorCode::io, file.string(), "cannot open the file");
     try {
         return json::parse(stream).get<ExperimentRecord>();
-    } catch (const json::exception& error) {
-        throw file_error(ErrorCode::parse, file.string(),
-                         std::string("is not the record of an experiment: ") + error.what());
+    } catch (const json::exception&) {
+        throw file_error(ErrorCode::parse, file.string(), "is not the record of an experiment");
     } catch (const Error& error) {
         throw file_error(ErrorCode::parse, file.string(),
                          std::string("is not a record to run again: ") + error.what());

@@ -60,42 +60,23 @@ private:
     std::vector<fs::path> made_;
 };
 
-/// A new folder inside another, removed with all that is in it at the end of its life.
-class StagingFolder {
-public:
-    explicit StagingFolder(const fs::path& parent) {
-        std::string name = (parent / ".coppice-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) {
-            fail(parent, "cannot write to the folder", {errno, std::generic_category()});
-        }
-        path_ = name;
+/// Makes sure that a file can be made in a folder; leaves none.
+void require_writable(const fs::path& folder) {
+    std::string name = (folder / ".coppice-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) {
+        fail(folder, "cannot write to the folder", {errno, std::generic_category()});
     }
-
-    StagingFolder(const StagingFolder&) = delete;
-    StagingFolder& operator=(const StagingFolder&) = delete;
-
-    ~StagingFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-
-    [[nodiscard]] const fs::path& path() const noexcept { return path_; }
-
-private:
-    fs::path path_;
-};
+    std::error_code ignored;
+    fs::remove(name, ignored);
+}
 
 }  // namespace
 
 void check_writable(const fs::path& folder, std::span<const std::string_view> names) {
     const MadeFolders made(folder);
-    const StagingFolder probe(folder);
-    std::error_code ignored;
+    require_writable(folder);
     for (const std::string_view name : names) {
-        if (fs::is_directory(folder / name, ignored)) {
-            throw file_error(ErrorCode::io, (folder / name).string(),
-                             "is a folder where a file is to be written");
-        }
+        static_cast<void>(write_target(folder / name));
     }
 }
 
@@ -112,23 +93,16 @@ void check_file_writable(const fs::path& file) {
         throw file_error(ErrorCode::io, file.string(),
                          "cannot write the file: there is no folder " + folder.string());
     }
-    const std::string name = file.filename().string();
-    check_writable(folder, std::array{std::string_view(name)});
+    require_writable(folder_of(write_target(file)));
 }
 
 void write_all(const fs::path& folder, std::span<const OutputFile> files) {
     MadeFolders made(folder);
-    {
-        const StagingFolder staging(folder);
-        for (const OutputFile& file : files) {
-            write_file(staging.path() / file.name, file.contents);
-        }
-        for (const OutputFile& file : files) {
-            std::error_code error;
-            fs::rename(staging.path() / file.name, folder / file.name, error);
-            if (error) fail(folder / file.name, "cannot write the file", error);
-        }
+    std::vector<FileContents> contents;
+    for (const OutputFile& file : files) {
+        contents.push_back({folder / file.name, file.contents});
     }
+    write_files(contents);
     made.keep();
 }
 

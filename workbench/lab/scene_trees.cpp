@@ -208,7 +208,7 @@ private:
     /// The points of a seed; those of the last one are kept, also while triangles are built over.
     std::span<const Vec3f> points_of(PrimitiveKind kind, std::uint64_t seed) {
         if (kind != PrimitiveKind::points || points_seed_ == seed) return points_;
-        points_ = {};  // freed before the next are made
+        std::vector<Vec3f>().swap(points_);  // freed before the next are made
         run_with_threads(run_.options.build.threads,
                          [&] { points_ = shuffled_distinct_points(mesh_.vertices, seed); });
         points_seed_ = seed;

@@ -38,7 +38,7 @@ struct Lines {
 };
 
 std::optional<double> ratio_of(const Series& series, const RatePoint& point, bool is_cost) {
-    if (!is_cost) return series.relative_to_full(point, "total_seconds");
+    if (!is_cost) return series.relative_time(point);
     const Range* cost = point.find("relative_cost");
     return cost != nullptr ? std::optional(cost->mean) : std::nullopt;
 }

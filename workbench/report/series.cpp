@@ -89,14 +89,16 @@ void finish_means(RatePoint& point, const std::map<std::string, std::size_t>& co
     }
 }
 
-// The intervals that the results give for the measures of their rows.
-void add_intervals(Series& series, const json& scene) {
+// What the results say of all seeds of a point together.
+void add_summaries(Series& series, const json& scene) {
     for (const json& summary : array_at(scene, "summary")) {
         if (text_at(summary, "primitives") != series.kind) continue;
         for (RatePoint& point : series.points) {
             const bool is_same =
                 point.protocol == series.line_of(summary) && point.percent == percent_of(summary);
             if (!is_same) continue;
+            const auto time = summary.find("relative_time");
+            if (time != summary.end()) point.relative_time = number_at(*time, "mean");
             for (auto& [key, range] : point.measures) {
                 const auto at = summary.find(key);
                 if (at == summary.end()) continue;
@@ -139,7 +141,7 @@ void collect_points(Series& series, const json& scene) {
     for (RatePoint& point : series.points) {
         finish_means(point, counts[{point.protocol, point.percent}]);
     }
-    add_intervals(series, scene);
+    add_summaries(series, scene);
     std::erase_if(series.points, [](const RatePoint& point) {
         return point.seed_count == 0 || !(point.percent > 0.0);
     });
@@ -216,6 +218,10 @@ std::optional<double> Series::relative_to_full(const RatePoint& point,
     const Range* part = point.find(measure);
     if (whole == nullptr || part == nullptr || !(whole->mean > 0.0)) return std::nullopt;
     return part->mean / whole->mean;
+}
+
+std::optional<double> Series::relative_time(const RatePoint& point) const {
+    return point.relative_time ? point.relative_time : relative_to_full(point, "total_seconds");
 }
 
 std::vector<Series> collect_series(const json& results) {

@@ -31,6 +31,7 @@ struct RatePoint {
     double percent = 0.0;
     std::size_t seed_count = 0;
     bool is_recommended = false;
+    std::optional<double> relative_time{};  ///< mean over the seeds, where the results have it
     std::map<std::string, Range, std::less<>> measures{};  ///< by the results' own keys
     /// `depth_histogram` and `cost_share_by_depth`: the mean over the seeds, level by level.
     std::map<std::string, std::vector<double>, std::less<>> levels{};
@@ -65,6 +66,9 @@ struct Series {
     /// one of them is missing or the latter is 0.
     [[nodiscard]] std::optional<double> relative_to_full(const RatePoint& point,
                                                          std::string_view measure) const;
+    /// The build time over that of the 100 % tree: the mean of the seeds' ratios as the results
+    /// have it, or else the ratio of the means.
+    [[nodiscard]] std::optional<double> relative_time(const RatePoint& point) const;
 };
 
 /// Every series of the results document, in its order.

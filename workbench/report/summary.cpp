@@ -149,7 +149,7 @@ std::string cost_sentence(const Series& series, const RatePoint& point) {
     std::string text =
         fmt::format("the tree built on {} costs {} as much as its own full tree",
                     format_percent(point.percent), strong(times(*relative, point.seed_count)));
-    if (const auto time = series.relative_to_full(point, "total_seconds")) {
+    if (const auto time = series.relative_time(point)) {
         text += fmt::format(" and takes {} of that one’s build time", format_share(*time));
     }
     const RatePoint* half = series.find(point.protocol, 50.0);

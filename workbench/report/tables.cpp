@@ -152,8 +152,7 @@ std::string recommendation_rows(const json& scene, const Series& series) {
         html += ratio_cell(number_at(row, "relative_time"));
         const RatePoint* half = series.find(protocol, 50.0);
         html += ratio_cell(mean_of(half, "relative_cost"));
-        html += ratio_cell(half != nullptr ? series.relative_to_full(*half, "total_seconds")
-                                           : std::nullopt);
+        html += ratio_cell(half != nullptr ? series.relative_time(*half) : std::nullopt);
         html += "</tr>";
     }
     return html;
@@ -302,8 +301,7 @@ std::string make_thesis_table(const Series& series, const ThesisTables& thesis) 
         body += thesis_cells(thesis, percent, &ThesisRow::build_seconds);
         for (const std::string& protocol : series.protocols()) {
             const RatePoint* point = series.find(protocol, percent);
-            body += ratio_cell(point != nullptr ? series.relative_to_full(*point, "total_seconds")
-                                                : std::nullopt);
+            body += ratio_cell(point != nullptr ? series.relative_time(*point) : std::nullopt);
         }
         body += "</tr>\n";
     }

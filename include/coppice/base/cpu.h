@@ -20,8 +20,9 @@ enum class Isa {
 /// Those this processor can run, the slowest first; never none.
 [[nodiscard]] std::span<const Isa> available_isas() noexcept;
 
-/// The fastest available one, or the one that the environment variable COPPICE_ISA names. Throws
-/// Error(invalid_argument) if that names none, or one this processor does not have.
+/// The fastest available one, or the one that the environment variable COPPICE_ISA names, in any
+/// case and with or without dots. Throws Error(invalid_argument) if that names none, or one this
+/// processor does not have.
 [[nodiscard]] Isa choose_isa();
 
 }  // namespace coppice

@@ -5,6 +5,7 @@
 
 #include "build/exact/splice.h"
 
+#include "base/free_memory.h"
 #include "build/stop_look.h"
 
 #include <algorithm>
@@ -66,7 +67,7 @@ void merge_new(EventList& events, const std::vector<Fragment>& fragments,
 
 ExactChildren splice(ExactNode&& node, const Classification& classification, Partition&& sides) {
     const std::size_t count = node.fragments.size();
-    node.fragments = {};
+    free_memory(node.fragments);
     ExactChildren children;
     children.below.fragments = std::move(sides.below);
     children.above.fragments = std::move(sides.above);

@@ -6,6 +6,7 @@
 
 #include "coppice/base/parallel.h"
 
+#include "base/free_memory.h"
 #include "build/horizon.h"
 #include "build/subtree.h"
 #include "build/wide/make_references.h"
@@ -54,7 +55,7 @@ Cells make_cells(const Skeleton& skeleton, TriangleMeshView mesh, MemoryMeter& m
         for (const Fragment& fragment : of_cells[cell]) {
             references[at++] = make_reference(fragment.box, fragment.id);
         }
-        of_cells[cell] = {};
+        free_memory(of_cells[cell]);
         bytes[cell].release();
     });
     return made;
