@@ -3,10 +3,9 @@
 // badly are retracted; kept, they cost more than all else that sampling does (docs/decisions/0002).
 //
 // - A plane that cut off a cell which was empty in the sample but is not in the scene was chosen
-// for
-//   a bonus it does not earn. It moves out to where the cell is truly empty, if the heuristic, with
-//   all primitives counted, finds that cheaper; where there is no such place it goes, unless it
-//   saves a good part of that without the bonus.
+//   for a bonus it does not earn. It moves out to where the cell is truly empty, if the heuristic,
+//   with all primitives counted, finds that cheaper; where there is no such place it goes, unless
+//   it saves a good part of that without the bonus.
 // - Of a plane chosen from a handful of sampled primitives the node is built anew from all its own.
 //
 // The planes that are kept are passed many at once (Horizon), down to where something is to be

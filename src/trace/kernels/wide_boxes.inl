@@ -7,11 +7,10 @@
 //   The difference may cancel: its error is relative to origin * inverse, so that boxes are in
 //   effect widened by 8 units of rounding of the origin's coordinates, besides those of t.
 // - CarefulRay, for the others: t = (bound - origin) * inverse, which is exact to 3 units of
-// rounding
-//   for any origin. A direction component of zero (or -0) gives infinite distances, or NaN where
-//   the origin lies in the plane of a face; minimum and maximum then take their second argument, so
-//   such a face does not cut. Of distances of either sign, as a t_min below 0 allows, both ends are
-//   widened.
+//   rounding for any origin. A direction component of zero (or -0) gives infinite distances, or NaN
+//   where the origin lies in the plane of a face; minimum and maximum then take their second
+//   argument, so such a face does not cut. Of distances of either sign, as a t_min below 0 allows,
+//   both ends are widened.
 
 struct Lanes3 {
     Lanes x;

@@ -5,17 +5,15 @@
 // u = 2^-24, m the largest sheared x or y of a triangle and Z its largest z as seen from the origin
 // (all in the ray's axes, where shears are at most 1):
 // - a sheared coordinate is off by 5 u (m + Z): one rounding of each difference, three of the
-// shear,
-//   one of the product, one of the sum, and |x| <= m + Z before the shear;
+//   shear, one of the product, one of the sum, and |x| <= m + Z before the shear;
 // - so a weight (edge function) is off by 20 u m (m + Z) + 50 u^2 (m + Z)^2 + 4 u m^2, which is
-// less
-//   than `error` = (m + Z) (32 u m + 64 u^2 (m + Z)), and by what underflows;
+//   less than `error` = (m + Z) (32 u m + 64 u^2 (m + Z)), and by what underflows;
 // - t is an average of the corners' z by weights of one sign: their errors move it by less than
 //   8 error / |sum of weights| of the corners' range of z where that ratio is less than 1, and
 //   roundings by 10 u Z, for which 32 u Z is taken.
 // A triangle whose weights have both signs beyond the error is missed for sure; one whose weights
 // have one sign beyond it is hit for sure, at a t in a known interval. All others, and NaN from
-// overflow, are left to TriangleTest.
+// overflow, are left to TriangleTest: where a sheared x or y is NaN its z is infinite, and so Z.
 
 /// A ray in the axes of the triangle test, the longest component of its direction last.
 struct ShearedRay {
