@@ -37,8 +37,8 @@ public:
 [[nodiscard]] Command add_list(CLI::App& program);
 [[nodiscard]] Command add_generate(CLI::App& program);
 
-/// Throws UsageError unless there is at least one scene. One that is to come from standard input is
-/// taken from there, see take_standard_input().
+/// Throws UsageError unless there is at least one scene. Those that come through pipes are taken
+/// from there, see take_piped_scenes().
 void require_scenes(const CLI::App& command, std::vector<std::string>& scenes);
 
 }  // namespace coppice::app

@@ -9,7 +9,7 @@
 #include "interrupts.h"
 #include "lab/progress_line.h"
 #include "options.h"
-#include "standard_input.h"
+#include "piped_scenes.h"
 #include "tree_arguments.h"
 
 #include <fmt/format.h>
@@ -137,7 +137,7 @@ Command add_check(CLI::App& program) {
     return {parser, [parser, request](Output& output) {
                 require_files(*request);
                 std::vector<std::string> scenes{request->scene};
-                take_standard_input(scenes);
+                take_piped_scenes(scenes);
                 request->scene = scenes.front();
                 wipe_line_on_interrupt();
                 run_request(*request, output);

@@ -2,7 +2,7 @@
 
 #include "lab/machine.h"
 #include "options.h"
-#include "standard_input.h"
+#include "piped_scenes.h"
 #include "usage.h"
 
 #include <CLI/CLI.hpp>
@@ -143,7 +143,7 @@ int run_program(int argument_count, const char* const* argument_texts,
 }
 
 void require_scenes(const CLI::App& command, std::vector<std::string>& scenes) {
-    if (!scenes.empty()) return take_standard_input(scenes);
+    if (!scenes.empty()) return take_piped_scenes(scenes);
     // An unknown option is the likelier mistake: it may have swallowed the scene.
     refuse_unknown(command, "coppice " + command.get_name());
     throw UsageError(fmt::format("{}: no scene is given; example: coppice {} scenes/dragon.obj",

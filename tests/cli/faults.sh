@@ -35,6 +35,9 @@ expect_exit 0 eval 'cat balls.ply | coppice check tree.cpk -'
 expect_exit 0 eval 'cat hills.obj | coppice experiment - --rates 10 --no-pictures --out piped'
 expect_file piped/results.json
 expect_exit 0 eval 'cat balls.ply | coppice trace - --size 10 --rays primary'
+expect_exit 0 eval 'coppice build <(cat balls.ply) <(gzip -c hills.obj)'
+expect_stderr_empty
+failing '^coppice: /dev/fd/99: ' coppice info /dev/fd/99
 failing '^coppice: /dev/stdin: empty file$' coppice info - </dev/null
 failing '^coppice: /dev/stdin: cannot read: Bad file descriptor$' eval 'coppice info - <&-'
 failing '^coppice: /dev/stdin: the name has no extension, and it begins like none of ' \
