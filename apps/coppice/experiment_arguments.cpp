@@ -158,7 +158,7 @@ void refuse_other_options(const CLI::App& parser, const std::vector<std::string>
         const std::string name = option->get_name();
         const bool is_allowed = std::find(allowed.begin(), allowed.end(), name) != allowed.end();
         if (option->count() == 0 || is_allowed || name == "--out") continue;
-        throw UsageError(name + ": " + why);
+        throw UsageError(fmt::format("{}: {}", name, why));
     }
 }
 

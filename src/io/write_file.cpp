@@ -13,8 +13,7 @@ namespace coppice {
 std::filesystem::path write_target(const std::filesystem::path& file) {
     namespace fs = std::filesystem;
     std::error_code problem;
-    const fs::path target =
-        fs::is_symlink(file, problem) ? fs::weakly_canonical(file, problem) : file;
+    fs::path target = fs::is_symlink(file, problem) ? fs::weakly_canonical(file, problem) : file;
     const fs::file_status status = fs::status(target, problem);
     if (fs::is_directory(status)) throw file_error(ErrorCode::io, file.string(), "is a directory");
     if (fs::exists(status) && !fs::is_regular_file(status)) {
