@@ -15,6 +15,9 @@ std::filesystem::path write_target(const std::filesystem::path& file) {
     std::error_code problem;
     fs::path target = fs::is_symlink(file, problem) ? fs::weakly_canonical(file, problem) : file;
     const fs::file_status status = fs::status(target, problem);
+    if (status.type() == fs::file_type::none) {  // such as of a name that is too long
+        throw file_error(ErrorCode::io, file.string(), "cannot write: " + problem.message());
+    }
     if (fs::is_directory(status)) throw file_error(ErrorCode::io, file.string(), "is a directory");
     if (fs::exists(status) && !fs::is_regular_file(status)) {
         throw file_error(ErrorCode::io, file.string(), "not a regular file");

@@ -103,6 +103,7 @@ for how in "info $long.ply" "info $(printf '%0100d/' {1..99})x.ply" "build balls
     "experiment balls.ply --out $long" "experiment --resume $long" "compare $long $long"; do
     # shellcheck disable=SC2086 # several arguments
     failing '(File name too long|no such file|cannot open the file)' coppice $how
+    expect_stdout_empty # found out before any work
 done
 for how in 'build balls.ply -o none/a.cpk' 'render balls.ply -o none/a.png' \
     'trace balls.ply --json none/a.json' 'bench balls.ply --json none/a.json' \
