@@ -4,6 +4,7 @@
 #include "coppice/base/parallel.h"
 #include "coppice/base/timer.h"
 #include "coppice/io/load_mesh.h"
+#include "coppice/io/write_file.h"
 #include "coppice/store/tree_file.h"
 
 #include "build_arguments.h"
@@ -134,11 +135,9 @@ void write_image(const std::string& out, const render::Image& image, render::Dis
         if (format == render::ImageFormat::pfm) return render::encode_pfm(image);
         return render::encode_png(render::develop(image, display, options));
     };
-    const std::filesystem::path file(out);
     const std::string contents = encode();
     const DeferInterrupts whole_file;
-    lab::write_all(lab::folder_of(file),
-                   std::array{lab::OutputFile{file.filename().string(), contents}});
+    write_file(out, contents);
 }
 
 double aspect_of(const render::RenderOptions& options) {

@@ -1,12 +1,13 @@
 #include "json_file.h"
 
+#include "coppice/io/write_file.h"
+
 #include "interrupts.h"
 #include "lab/output_folder.h"
 #include "usage.h"
 
 #include <nlohmann/json.hpp>
 
-#include <array>
 #include <string>
 
 namespace coppice::app {
@@ -21,10 +22,9 @@ void check_json_file(const std::filesystem::path& file) {
 void write_json_file(const std::filesystem::path& file, const nlohmann::ordered_json& document) {
     const DeferInterrupts whole_file;
     // File names need not be UTF-8; JSON must be.
-    const lab::OutputFile contents{
-        file.filename().string(),
-        document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n'};
-    lab::write_all(lab::folder_of(file), std::array{contents});
+    write_file(
+        file,
+        document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
 }
 
 }  // namespace coppice::app

@@ -10,19 +10,33 @@
 
 namespace coppice {
 
-std::filesystem::path write_target(const std::filesystem::path& file) {
-    namespace fs = std::filesystem;
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where links lead from a name, also to what is not there yet.
+fs::path follow_links(fs::path file) {
+    constexpr int most_links = 40;  // as many as Linux follows
     std::error_code problem;
-    fs::path target = fs::is_symlink(file, problem) ? fs::weakly_canonical(file, problem) : file;
-    const fs::file_status status = fs::status(target, problem);
-    if (status.type() == fs::file_type::none) {  // such as of a name that is too long
+    for (int i = 0; i < most_links && fs::is_symlink(file, problem); ++i) {
+        file = file.parent_path() / fs::read_symlink(file, problem);
+    }
+    return file;
+}
+
+}  // namespace
+
+std::filesystem::path write_target(const std::filesystem::path& file) {
+    std::error_code problem;
+    const fs::file_status status = fs::status(file, problem);
+    if (status.type() == fs::file_type::none) {  // a name too long, links in a circle
         throw file_error(ErrorCode::io, file.string(), "cannot write: " + problem.message());
     }
     if (fs::is_directory(status)) throw file_error(ErrorCode::io, file.string(), "is a directory");
     if (fs::exists(status) && !fs::is_regular_file(status)) {
         throw file_error(ErrorCode::io, file.string(), "not a regular file");
     }
-    return target;
+    return follow_links(file);
 }
 
 void write_file(const std::filesystem::path& file, std::string_view contents) {

@@ -76,6 +76,18 @@ TEST(OutputFolder, ReplacesWhatALinkLeadsTo) {
     EXPECT_EQ(test::read_file(folder.path() / "old.txt"), "one");
 }
 
+TEST(OutputFolder, FollowsALinkToWhatIsNotThereYet) {
+    const TemporaryFolder folder;
+    std::filesystem::create_symlink("new.txt", folder.path() / "a.txt");
+    write_all(folder.path(), two_files());
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "a.txt"));
+    EXPECT_EQ(test::read_file(folder.path() / "new.txt"), "one");
+    std::filesystem::create_symlink("none/new.txt", folder.path() / "c.txt");
+    EXPECT_THROW(check_file_writable(folder.path() / "c.txt"), Error);
+    std::filesystem::create_symlink("d.txt", folder.path() / "d.txt");
+    EXPECT_THROW(check_file_writable(folder.path() / "d.txt"), Error);
+}
+
 TEST(OutputFolder, RefusesToReplaceAPipe) {
     const TemporaryFolder folder;
     ASSERT_EQ(mkfifo((folder.path() / "b.txt").c_str(), 0600), 0);

@@ -60,6 +60,10 @@ private:
     std::vector<fs::path> made_;
 };
 
+fs::path folder_of(const fs::path& file) {
+    return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
 /// Makes sure that a file can be made in a folder; leaves none.
 void require_writable(const fs::path& folder) {
     std::string name = (folder / ".coppice-XXXXXX").string();
@@ -80,20 +84,16 @@ void check_writable(const fs::path& folder, std::span<const std::string_view> na
     }
 }
 
-fs::path folder_of(const fs::path& file) {
-    return file.has_parent_path() ? file.parent_path() : fs::path(".");
-}
-
 void check_file_writable(const fs::path& file) {
     std::error_code error;
-    const fs::path folder = folder_of(file);
+    const fs::path folder = folder_of(write_target(file));
     const bool is_there = fs::exists(folder, error);
     if (error) fail(file, "cannot write the file", error);
     if (!is_there) {
         throw file_error(ErrorCode::io, file.string(),
                          "cannot write the file: there is no folder " + folder.string());
     }
-    require_writable(folder_of(write_target(file)));
+    require_writable(folder);
 }
 
 void write_all(const fs::path& folder, std::span<const OutputFile> files) {

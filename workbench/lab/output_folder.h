@@ -21,9 +21,6 @@ void check_writable(const std::filesystem::path& folder, std::span<const std::st
 /// Error(io) saying why not.
 void check_file_writable(const std::filesystem::path& file);
 
-/// The folder that a file is in.
-[[nodiscard]] std::filesystem::path folder_of(const std::filesystem::path& file);
-
 /// Writes all files into a folder, made if need be: all of them or none. Each replaces its
 /// predecessor at once. Throws Error(io).
 void write_all(const std::filesystem::path& folder, std::span<const OutputFile> files);
