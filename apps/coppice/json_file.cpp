@@ -13,8 +13,9 @@
 namespace coppice::app {
 
 void check_json_file(const std::filesystem::path& file) {
-    if (file.filename().empty())
+    if (file.filename().empty()) {
         throw UsageError("--json: no file is named; example: --json out.json");
+    }
     const DeferInterrupts no_trace;
     lab::check_file_writable(file);
 }

@@ -3,7 +3,9 @@
 // go down with the walk, filtered by their boxes only: not by the code that built the tree.
 //
 // Contents are judged with a tolerance around split planes: a leaf must refer to what reaches
-// further into it than that, and may refer to anything whose box comes within it.
+// further into it than that, and may refer to anything whose box comes within it. The tolerance is
+// a share of the node's size, and no less than what rounding does to coordinates of the
+// primitive's.
 
 #include "coppice/tree/validate.h"
 
@@ -33,6 +35,19 @@ float tolerance_at(const Aabb& box, Plane plane) {
         std::max(box.extent(plane.axis), std::abs(static_cast<double>(plane.position)));
     // Where all is denormal, rounding is a matter of the smallest float.
     return static_cast<float>(1e-6 * scale) + 4.0F * std::numeric_limits<float>::denorm_min();
+}
+
+// The part of a place in which clipping finds a primitive with these bounds only if it is there:
+// conservative clipping may find one that stays outside by the rounding of its own coordinates.
+Aabb part_reached_for_certain(const Place& at, const Aabb& primitive) {
+    Aabb part = at.inside;
+    for (const Axis axis : all_axes) {
+        const float rounding =
+            0x1.0p-44F * std::max(std::abs(primitive.lower[axis]), std::abs(primitive.upper[axis]));
+        if (part.lower[axis] != at.box.lower[axis]) part.lower[axis] += rounding;
+        if (part.upper[axis] != at.box.upper[axis]) part.upper[axis] -= rounding;
+    }
+    return part;
 }
 
 class Validator {
@@ -187,9 +202,8 @@ private:
         const auto ids = tree_.references(tree_.nodes()[at.index]);
         for (const std::uint32_t id : candidates) {
             if (std::binary_search(ids.begin(), ids.end(), id)) continue;
-            if (at.inside.is_empty() || primitives_.clipped_bounds(id, at.inside).is_empty()) {
-                continue;
-            }
+            const Aabb part = part_reached_for_certain(at, primitives_.bounds(id));
+            if (part.is_empty() || primitives_.clipped_bounds(id, part).is_empty()) continue;
             findings_.report(FindingKind::missing_reference, at.index, "leaf {} lacks primitive {}",
                              at.index, id);
         }
