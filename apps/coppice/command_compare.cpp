@@ -27,8 +27,9 @@ void run_request(const CompareRequest& request, Output& output) {
     if (!request.json.empty()) check_json_file(request.json);
     const lab::CompareOptions options{request.tolerance_percent / 100.0,
                                       request.time_tolerance_percent / 100.0};
-    const lab::Comparison comparison = lab::compare_results(
-        lab::load_results(request.files[0]), lab::load_results(request.files[1]), options);
+    const nlohmann::json before = lab::load_results(request.files[0]);
+    const nlohmann::json after = lab::load_results(request.files[1]);
+    const lab::Comparison comparison = lab::compare_results(before, after, options);
     output.print(fmt::format("A: {}\nB: {}\n{}", request.files[0], request.files[1],
                              lab::comparison_text(comparison, options)));
     if (!request.json.empty()) {

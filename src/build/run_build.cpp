@@ -30,6 +30,7 @@ bool is_within_limit(const Estimate& estimate, const BuildControl& control) noex
 }
 
 std::string bytes_text(double bytes) {
+    if (bytes == 1.0) return "1 byte";
     constexpr double step = 1024.0;
     constexpr std::array units{"bytes", "KiB", "MiB", "GiB", "TiB"};
     std::size_t unit = 0;

@@ -161,7 +161,15 @@ Aabb triangle_bounds_or_nan(const Triangle& triangle) noexcept {
 
 double triangle_area(const Triangle& triangle) noexcept {
     const Vec3d a = to_double(triangle[0]);
-    const Vec3d normal = cross(to_double(triangle[1]) - a, to_double(triangle[2]) - a);
+    const Vec3d b = to_double(triangle[1]);
+    const Vec3d c = to_double(triangle[2]);
+    // From the two shorter edges: the longest may hide another's digits.
+    std::array<Vec3d, 3> edges{b - a, c - b, a - c};
+    std::swap(edges[2], *std::max_element(edges.begin(), edges.end(),
+                                          [](const Vec3d& first, const Vec3d& second) {
+                                              return dot(first, first) < dot(second, second);
+                                          }));
+    const Vec3d normal = cross(edges[0], edges[1]);
     return 0.5 * std::sqrt(dot(normal, normal));
 }
 

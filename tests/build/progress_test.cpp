@@ -164,6 +164,7 @@ TEST(RunBuild, SaysThatMemoryIsOut) {
 
 TEST(RunBuild, WritesBytesAsPeopleReadThem) {
     EXPECT_EQ(bytes_text(0), "0 bytes");
+    EXPECT_EQ(bytes_text(1), "1 byte");
     EXPECT_EQ(bytes_text(1023), "1023 bytes");
     EXPECT_EQ(bytes_text(1536), "1.50 KiB");
     EXPECT_EQ(bytes_text(200e6), "191 MiB");

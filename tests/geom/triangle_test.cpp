@@ -48,6 +48,8 @@ TEST(TriangleBounds, HoldsTheCorners) {
 TEST(TriangleArea, IsThatOfTheTriangle) {
     EXPECT_EQ(triangle_area({Vec3f{0, 0, 0}, Vec3f{3, 0, 0}, Vec3f{0, 4, 0}}), 6.0);
     EXPECT_EQ(triangle_area({Vec3f{1, 1, 1}, Vec3f{1, 1, 1}, Vec3f{5, 5, 5}}), 0.0);
+    EXPECT_NEAR(triangle_area({Vec3f{1e30F, 1e30F, 0}, Vec3f{1, 0, 0}, Vec3f{0, 1, 0}}), 1e30,
+                1e24);
     EXPECT_EQ(triangle_area({Vec3f{0, 0, 0}, Vec3f{1, 1, 1}, Vec3f{3, 3, 3}}), 0.0);
     EXPECT_NEAR(triangle_area({Vec3f{0, 0, 0}, Vec3f{1e30F, 0, 0}, Vec3f{0, 1e30F, 0}}), 5e59,
                 1e53);
