@@ -61,6 +61,11 @@ void add_method(CLI::App& parser, MethodRequest& request, const std::string& see
     for (const char* name : {"--traversal-cost", "--intersection-cost", "--empty-bonus"}) {
         parser.get_option(name)->default_str("the method's");
     }
+    add_number(parser,
+               {"--expected-rays", "N",
+                "Rays that will be traced with the tree, which --method auto goes by", "1e7"},
+               request.expected_rays,
+               {0.0, std::numeric_limits<double>::max(), "a finite number >= 0"});
     add_threads(parser, request.threads);
     add_memory_limit(parser, request.memory_limit_bytes,
                      "Fail early if scene and build would take more: 512M, 2G;\n"
@@ -78,6 +83,7 @@ BuildOptions options_of(const MethodRequest& request) {
     take(request.cost.traversal, options.cost.traversal);
     take(request.cost.intersection, options.cost.intersection);
     take(request.cost.empty_bonus, options.cost.empty_bonus);
+    options.wide.expected_rays = request.expected_rays;
     options.threads = request.threads;
     return options;
 }

@@ -35,11 +35,12 @@ struct MethodRequest {
     std::string sampler;
     std::uint64_t seed = 1;
     SahCostModel cost{not_given, not_given, not_given};
+    double expected_rays = WideOptions{}.expected_rays;
     int threads = 0;
     std::uint64_t memory_limit_bytes = 0;  ///< 0: none
 };
 
-/// All options above, and --method, --sample, --memory-limit and --seed, which `seed_meaning` is
+/// All options above, and --method, --sample, --expected-rays and --seed, which `seed_meaning` is
 /// shown for.
 void add_method(CLI::App& parser, MethodRequest& request, const std::string& seed_meaning);
 

@@ -20,8 +20,9 @@ void add_tree(CLI::App& parser, std::string& tree) {
 void check_tree_arguments(const CLI::App& parser, const std::string& tree,
                           std::span<const std::string> scenes) {
     if (tree.empty()) return;
-    for (const char* name : {"--method", "--sample", "--sampler", "--traversal-cost",
-                             "--intersection-cost", "--empty-bonus", "--memory-limit"}) {
+    for (const char* name :
+         {"--method", "--sample", "--sampler", "--traversal-cost", "--intersection-cost",
+          "--empty-bonus", "--expected-rays", "--memory-limit"}) {
         if (parser.count(name) == 0) continue;
         throw UsageError(
             fmt::format("{}: the tree of --tree is built already; give only one of them", name));

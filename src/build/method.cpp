@@ -89,7 +89,7 @@ constexpr std::array methods{
     Method{"balanced", "8-wide tree between fast and quality", TreeKind::wide,
            wide<WidePreset::balanced>},
     Method{"quality", "8-wide tree for many rays", TreeKind::wide, wide<WidePreset::quality>},
-    Method{"auto", "8-wide tree, one of the three above", TreeKind::wide,
+    Method{"auto", "fast, or quality for 30 rays a triangle and more", TreeKind::wide,
            wide<WidePreset::automatic>},
 };
 

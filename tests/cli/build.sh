@@ -56,6 +56,20 @@ done
 expect_exit 0 coppice build balls.ply --method exact --traversal-cost 15 --json
 expect_equal "$(option cost traversal) $(option cost empty_bonus)" '15.0 0.2' # else the method's
 
+# The method auto goes by the rays that are expected for a triangle, and says what it chose.
+preset_for() {
+    coppice build balls.ply --expected-rays "$1" --json |
+        python3 -c 'import json, sys; print(json.load(sys.stdin)["scenes"][0]["report"]["preset"])'
+}
+triangles=$(coppice build balls.ply --json |
+    python3 -c 'import json, sys; print(json.load(sys.stdin)["scenes"][0]["report"]["primitive_count"])')
+expect_equal "$(preset_for $((30 * triangles - 1))) $(preset_for $((30 * triangles)))" 'fast quality'
+expect_exit 0 coppice build balls.ply --expected-rays 0
+expect_stdout '^balls: auto \(fast\), 8-wide tree, '
+expect_exit 2 coppice build balls.ply --expected-rays -1
+expect_stderr_one_line
+expect_stderr 'expected-rays'
+
 # The same seed gives the same tree, another seed another.
 statistics() {
     coppice build balls.ply --method sampled --sample 5% --json "$@" | python3 -c '

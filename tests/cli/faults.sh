@@ -27,7 +27,7 @@ for how in 'cat balls.ply | coppice info - --json' 'coppice info - --json <balls
         "$(grep -v file_bytes <<<"$whole")"
 done
 expect_exit 0 eval 'cat hills.obj.gz | coppice build -'
-expect_stdout '^stdin: auto, 8-wide tree'
+expect_stdout '^stdin: auto \(quality\), 8-wide tree'
 expect_exit 0 eval 'cat balls.ply | coppice render - -o piped.png "${quick[@]}"'
 coppice render balls.ply -o named.png "${quick[@]}" >/dev/null
 expect_same_file piped.png named.png

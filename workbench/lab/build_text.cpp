@@ -78,7 +78,10 @@ std::string estimate_text(const BuildReport& report) {
 
 std::string build_text(const std::string& scene, const std::string& tree,
                        const BuildReport& report) {
-    return fmt::format("{}: {}, {}, {} of {} primitives sampled ({})\n", scene, report.method, tree,
+    const bool is_chosen = report.options.wide.preset != report.preset;
+    const std::string method =
+        is_chosen ? fmt::format("{} ({})", report.method, name_of(report.preset)) : report.method;
+    return fmt::format("{}: {}, {}, {} of {} primitives sampled ({})\n", scene, method, tree,
                        report.sample_count, report.primitive_count, report.options.sample.sampler) +
            stages_text(report.stages) + tree_text(report) + memory_text(report) +
            estimate_text(report);

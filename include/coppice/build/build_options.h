@@ -54,7 +54,7 @@ enum class Growth {
 
 /// How much a wide tree may cost to build.
 enum class WidePreset {
-    automatic,  ///< one of the others, by the number of rays a triangle is expected to pay for
+    automatic,  ///< fast, or quality where 30 rays and more are expected for a triangle
     fast,       ///< least build time: cells by centroids, nothing is cut
     balanced,   ///< cells by planes, which cut the triangles between them: better for large ones
     quality     ///< spatial splits throughout, at most 1.1 references a triangle: for many rays

@@ -7,8 +7,7 @@ namespace {
 
 // Rays a triangle that make up for a longer build: the extra time for a triangle over what a ray
 // gains by it (docs/decisions/0005).
-constexpr double balanced_from = 20.0;
-constexpr double quality_from = 100.0;
+constexpr double quality_from = 30.0;
 
 // References a triangle at most. Of 1.1, 1.15 and 1.25 the first gives up a third of what spatial
 // splits gain in the forest and nothing elsewhere, and keeps to 56 bytes a triangle.
@@ -17,8 +16,7 @@ constexpr double most_references = 1.1;
 WidePreset choose_preset(const WideOptions& options, std::uint32_t triangle_count) {
     if (options.preset != WidePreset::automatic) return options.preset;
     const double rays_a_triangle = options.expected_rays / std::max(1U, triangle_count);
-    if (rays_a_triangle >= quality_from) return WidePreset::quality;
-    return rays_a_triangle >= balanced_from ? WidePreset::balanced : WidePreset::fast;
+    return rays_a_triangle >= quality_from ? WidePreset::quality : WidePreset::fast;
 }
 
 }  // namespace
