@@ -74,8 +74,15 @@ void add_method(CLI::App& parser, MethodRequest& request, const std::string& see
 
 BuildOptions options_of(const MethodRequest& request) {
     BuildOptions options = find_method(request.method).options();
+    const bool is_automatic = request.method == "auto";
+    if (!request.sampler.empty()) {
+        options.sample.sampler = request.sampler;
+        if (is_automatic) options.sample.rate = 0.01;
+    }
     if (request.rate) options.sample.rate = *request.rate;
-    if (!request.sampler.empty()) options.sample.sampler = request.sampler;
+    if (is_automatic && request.rate == 1.0) {  // which by itself leaves the sample to the preset
+        options.wide.sampled_from = std::numeric_limits<std::uint32_t>::max();
+    }
     options.sample.seed = request.seed;
     const auto take = [](double given, double& value) {
         if (!std::isnan(given)) value = given;

@@ -1,5 +1,6 @@
 // coppice bench: our methods and Embree in turns, within one process: build times, memory, rays.
 
+#include "coppice/base/named.h"
 #include "coppice/build/method.h"
 
 #include "build_arguments.h"
@@ -8,7 +9,6 @@
 #include "json_file.h"
 #include "lab/bench.h"
 #include "lab/contestant.h"
-#include "lab/named.h"
 #include "lab/progress_line.h"
 #include "options.h"
 #include "view_arguments.h"
@@ -72,10 +72,9 @@ void add_how(CLI::App& parser, lab::BenchOptions& options) {
     add_memory_limit(parser, options.memory_limit_bytes,
                      "Fail early if scene and a build of ours would take more: 512M, 2G");
     const auto kinds = lab::rendering_ray_kinds();
-    add_ray_kinds(
-        parser,
-        {"--rays", "LIST", "Kinds of rays: " + lab::names_of(kinds), "primary,shadow,diffuse"},
-        kinds, options.rays);
+    add_ray_kinds(parser,
+                  {"--rays", "LIST", "Kinds of rays: " + names_of(kinds), "primary,shadow,diffuse"},
+                  kinds, options.rays);
     add_switch(parser, "--batched", "Hand rays over in arrays (Embree: rtcIntersect1M)",
                [&options] { options.is_batched = true; });
 }

@@ -114,7 +114,9 @@ lab::Journal begin_journal(ExperimentRequest& request, const std::vector<std::st
 }
 
 bool is_finished(const std::filesystem::path& folder) {
-    return !lab::Journal::exists(folder) && std::filesystem::exists(folder / output_names[1]);
+    std::error_code ignored;  // what is wrong with the name is told when the run is opened
+    return !lab::Journal::exists(folder) &&
+           std::filesystem::exists(folder / output_names[1], ignored);
 }
 
 void run_journal(lab::Journal& journal, Output& output) {

@@ -55,7 +55,8 @@ std::string load_report_text(const LoadReport& report) {
         oddity_text("repeated vertices, kept", report.duplicate_vertices, "vertices") +
         oddity_text("vertices of no triangle, kept", report.unused_vertices, "vertices") +
         count_text("relative (negative) indices", report.negative_index_count) +
-        count_text("lines that hold no triangles", report.ignored_line_count);
+        count_text("lines that hold no triangles", report.ignored_line_count) +
+        count_text("bytes behind the last row, unread", report.trailing_byte_count);
     return oddities.empty() ? "  oddities        none\n" : "  oddities\n" + oddities;
 }
 

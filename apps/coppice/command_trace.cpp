@@ -8,7 +8,6 @@
 #include "interrupts.h"
 #include "json_file.h"
 #include "lab/contestant.h"
-#include "lab/named.h"
 #include "lab/progress_line.h"
 #include "lab/trace_run.h"
 #include "options.h"

@@ -1,12 +1,12 @@
 // coppice tune: which builder and rate to use for a number of rays, measured on the scene itself.
 
+#include "coppice/base/named.h"
 #include "coppice/build/method.h"
 
 #include "build_arguments.h"
 #include "command.h"
 #include "interrupts.h"
 #include "json_file.h"
-#include "lab/named.h"
 #include "lab/progress_line.h"
 #include "lab/tune.h"
 #include "options.h"
@@ -46,8 +46,7 @@ void add_what_to_measure(CLI::App& parser, lab::TuneOptions& options) {
                     });
     const auto kinds = lab::rendering_ray_kinds();
     add_ray_kinds(
-        parser,
-        {"--kinds", "LIST", "Kinds of rays: " + lab::names_of(kinds), "primary,shadow,diffuse"},
+        parser, {"--kinds", "LIST", "Kinds of rays: " + names_of(kinds), "primary,shadow,diffuse"},
         kinds, options.rays);
 }
 

@@ -1,12 +1,12 @@
 #include "experiment_arguments.h"
 
+#include "coppice/base/named.h"
 #include "coppice/build/split_finder.h"
 #include "coppice/sample/sampler.h"
 
 #include "build_arguments.h"
 #include "lab/builders.h"
 #include "lab/contestant.h"
-#include "lab/named.h"
 #include "lab/protocol.h"
 #include "options.h"
 #include "view_arguments.h"
@@ -70,8 +70,7 @@ void add_what_to_run(CLI::App& parser, ExperimentRequest& request) {
             options.primitives.clear();
             for (const std::string& name : parse_list("--primitives", texts, "points,triangles")) {
                 require_name("--primitives", name, names_in(registry));
-                options.primitives.push_back(
-                    lab::find_named(registry, name, "kind of primitive").kind);
+                options.primitives.push_back(find_named(registry, name, "kind of primitive").kind);
             }
         });
     add_names(parser,

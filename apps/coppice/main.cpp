@@ -11,6 +11,7 @@
 
 #include <csignal>
 #include <new>
+#include <string_view>
 #include <system_error>
 
 #if defined(__GLIBC__)
@@ -34,6 +35,7 @@ int main(int argument_count, char** arguments) {
     give_back_large_arrays();
     app::hold_standard_streams();
     std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is a failed write, see Output
+    std::signal(SIGXFSZ, SIG_IGN);  // and so is a file that may grow no further
     try {
         return app::run_program(argument_count, arguments, [](const app::Command& command) {
             app::Output output;
@@ -54,7 +56,10 @@ int main(int argument_count, char** arguments) {
     } catch (const std::system_error& error) {  // a thread that the system does not give
         app::print_message(fmt::format("cannot go on: {}", error.what()));
     } catch (const std::exception& error) {
-        app::print_message(fmt::format("internal error: {}", error.what()));
+        // oneTBB's words for the same.
+        const bool is_thread = std::string_view(error.what()).starts_with("pthread_create");
+        app::print_message(
+            fmt::format("{}: {}", is_thread ? "cannot go on" : "internal error", error.what()));
     }
     return app::failed;
 }

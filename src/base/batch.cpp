@@ -3,6 +3,8 @@
 #include "coppice/base/error.h"
 #include "coppice/base/parallel.h"
 
+#include "base/out_of_memory.h"
+
 #include <fmt/format.h>
 
 namespace coppice {
@@ -13,8 +15,16 @@ void require_room(std::string_view query, std::size_t count, std::size_t room) {
                 fmt::format("{}: {} queries, but room for {} results", query, count, room));
 }
 
-void run_queries(std::size_t count, int threads,
-                 const std::function<void(std::size_t, std::size_t)>& run) {
+std::size_t room_of_each(std::string_view query, std::size_t count, std::size_t room) {
+    const std::size_t each = count == 0 ? 0 : room / count;
+    if (each * count == room) return each;
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("{}: room for {} results cannot be shared out among {} queries", query,
+                            room, count));
+}
+
+void run_query_ranges(std::size_t count, int threads,
+                      const std::function<void(std::size_t, std::size_t)>& run) {
     // Enough to make up for handing it over, few enough to share out evenly.
     constexpr std::size_t chunk_size = 512;
     if (threads < 0) {
@@ -23,7 +33,9 @@ void run_queries(std::size_t count, int threads,
     if (threads == 1 || count <= chunk_size) {
         run(0, count);
     } else {
-        run_with_threads(threads, [&] { parallel_for_chunks(count, chunk_size, run); });
+        with_memory_errors("the queries", [&] {
+            run_with_threads(threads, [&] { parallel_for_chunks(count, chunk_size, run); });
+        });
     }
 }
 

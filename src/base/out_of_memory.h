@@ -2,20 +2,28 @@
 
 #include "coppice/base/error.h"
 
+#include <filesystem>
 #include <new>
 #include <string>
-#include <string_view>
+#include <type_traits>
 
 namespace coppice {
 
 /// Runs work at a door of the library: what lacks memory becomes Error(out_of_memory), whose
-/// message begins with `what`. Should there be none even for that, it stays std::bad_alloc.
-template <typename Work>
-decltype(auto) with_memory_errors(std::string_view what, Work&& work) {
+/// message begins with `what`, a text or the path of a file. Should there be none even for that, it
+/// stays std::bad_alloc.
+template <typename What, typename Work>
+decltype(auto) with_memory_errors(const What& what, Work&& work) {
     try {
         return work();
     } catch (const std::bad_alloc&) {
-        throw Error(ErrorCode::out_of_memory, std::string(what) + ": out of memory");
+        std::string message;
+        if constexpr (std::is_same_v<What, std::filesystem::path>) {
+            message = what.string();
+        } else {
+            message = what;
+        }
+        throw Error(ErrorCode::out_of_memory, message + ": out of memory");
     }
 }
 

@@ -10,6 +10,7 @@
 #include "coppice/build/refine.h"
 #include "coppice/cost/measure.h"
 
+#include "base/out_of_memory.h"
 #include "build/finite_boxes.h"
 #include "build/run_build.h"
 #include "build/stage_clock.h"
@@ -79,10 +80,8 @@ KdTree run_pipeline(PrimitiveSetView primitives, const BuildOptions& options, Bu
     return tree;
 }
 
-}  // namespace
-
-KdTree build_kd_tree(PrimitiveSetView primitives, const BuildOptions& options, BuildReport* report,
-                     const BuildControl& control) {
+KdTree build(PrimitiveSetView primitives, const BuildOptions& options, BuildReport* report,
+             const BuildControl& control) {
     BuildReport own_report;
     own_report.options = options;
     own_report.primitive_count = primitives.size();
@@ -103,6 +102,14 @@ KdTree build_kd_tree(PrimitiveSetView primitives, const BuildOptions& options, B
     });
     if (report != nullptr) *report = std::move(own_report);
     return tree;
+}
+
+}  // namespace
+
+KdTree build_kd_tree(PrimitiveSetView primitives, const BuildOptions& options, BuildReport* report,
+                     const BuildControl& control) {
+    return with_memory_errors("the build",
+                              [&] { return build(primitives, options, report, control); });
 }
 
 }  // namespace coppice

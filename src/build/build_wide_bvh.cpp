@@ -7,6 +7,7 @@
 #include "coppice/build/estimate.h"
 #include "coppice/cost/measure.h"
 
+#include "base/out_of_memory.h"
 #include "build/finite_boxes.h"
 #include "build/kernels/wide_kernels.h"
 #include "build/run_build.h"
@@ -14,6 +15,8 @@
 #include "build/wide/grow_wide.h"
 #include "build/wide/make_references.h"
 #include "build/wide/plan.h"
+
+#include <fmt/format.h>
 
 #include <string>
 #include <utility>
@@ -102,6 +105,7 @@ WideBvh run_pipeline(TriangleMeshView mesh, const BuildOptions& options, BuildRe
     Run run{{}, {}, wide::kernels_for(choose_isa()), report, progress};
     const wide::Plan plan = wide::make_plan(options, mesh.size());
     report.preset = plan.preset;
+    report.options.sample = plan.sampling;
     wide::Cells cells =
         plan.by_planes ? make_kd_cells(mesh, plan, run) : make_object_cells(mesh, plan, run);
     begin_stage(progress, plan.by_planes ? 0.46 : 0.6);
@@ -129,8 +133,7 @@ BuildOptions keep_within_limit(TriangleMeshView mesh, const BuildOptions& option
         throw Error(ErrorCode::limit, excess);
     }
     BuildOptions smaller = options;
-    smaller.wide.preset = WidePreset::fast;
-    smaller.sample = plan.sampling;
+    smaller.wide.expected_rays = 0.0;  // chooses fast
     report.estimate = estimate_wide_bvh(mesh, smaller, control.stop);
     if (!is_within_limit(*report.estimate, control)) {
         throw Error(ErrorCode::limit, excess_text("even fast", *report.estimate, control));
@@ -139,10 +142,17 @@ BuildOptions keep_within_limit(TriangleMeshView mesh, const BuildOptions& option
     return smaller;
 }
 
-}  // namespace
+// All full blocks that a tree can have would not hold more.
+void require_few_enough(TriangleMeshView mesh) {
+    constexpr std::uint32_t most = wide_width * (WideChild::max_block_index + 1);
+    if (mesh.size() <= most) return;
+    throw Error(ErrorCode::limit,
+                fmt::format("{} triangles; a wide tree can hold at most {}", mesh.size(), most));
+}
 
-WideBvh build_wide_bvh(TriangleMeshView mesh, const BuildOptions& options, BuildReport* report,
-                       const BuildControl& control) {
+WideBvh build(TriangleMeshView mesh, const BuildOptions& options, BuildReport* report,
+              const BuildControl& control) {
+    require_few_enough(mesh);
     BuildReport own_report;
     own_report.options = options;
     own_report.primitive_count = mesh.size();
@@ -158,6 +168,13 @@ WideBvh build_wide_bvh(TriangleMeshView mesh, const BuildOptions& options, Build
     });
     if (report != nullptr) *report = std::move(own_report);
     return tree;
+}
+
+}  // namespace
+
+WideBvh build_wide_bvh(TriangleMeshView mesh, const BuildOptions& options, BuildReport* report,
+                       const BuildControl& control) {
+    return with_memory_errors("the build", [&] { return build(mesh, options, report, control); });
 }
 
 }  // namespace coppice

@@ -5,7 +5,7 @@
 // built twice and the faster build counts, since the first of a process is slower than all others
 // and a short one is easily disturbed; but the build to come touches its memory for the first time,
 // and what that takes is measured on an eighth of it. Cost: about a fifth of the build of a k-d
-// tree, of that of a wide tree as much as the whole. Error: what the pieces differ from the rest of
+// tree, up to half of that of a wide tree. Error: what the pieces differ from the rest of
 // the scene, and for the seconds the noise of the machine.
 
 #include "coppice/build/estimate.h"
@@ -15,6 +15,8 @@
 #include "coppice/base/timer.h"
 #include "coppice/build/build_tree.h"
 
+#include "base/out_of_memory.h"
+#include "build/finite_boxes.h"
 #include "build/probe.h"
 #include "build/wide/plan.h"
 
@@ -86,25 +88,27 @@ template <typename Build>
 Estimate estimate_by(PrimitiveSetView primitives, const BuildOptions& options,
                      const std::stop_token& stop, Build&& build) {
     check(options);
-    const bool is_small = primitives.size() < least_primitives;
-    std::optional<Probe> probe;
-    const auto take = [&] {
-        probe = is_small
-                    ? take_probe(primitives, 1, 1)
-                    : take_probe(primitives, std::min(most_pieces, primitives.size() / piece_size),
-                                 one_in);
-    };
-    run_with_threads(options.threads, take, stop);
-    const Probe thinned = probe->thinned(thinned_to);
-    const auto faster_of_two = [&](const Probe& part) {
-        const ProbeBuild first = build(part);
-        const ProbeBuild second = build(part);
-        return first.seconds() < second.seconds() ? first : second;
-    };
-    const ProbeBuild smaller = faster_of_two(thinned);
-    const ProbeBuild larger = faster_of_two(*probe);
-    return extrapolated(smaller, larger,
-                        std::max(1.0, primitives.size() / std::max(1.0, larger.size)));
+    return with_memory_errors("the estimate", [&] {
+        const bool is_small = primitives.size() < least_primitives;
+        const std::uint32_t pieces =
+            is_small ? 1 : std::min(most_pieces, primitives.size() / piece_size);
+        std::optional<Probe> probe;
+        const auto take = [&] {
+            require_finite_boxes(primitives);
+            probe = take_probe(primitives, pieces, is_small ? 1 : one_in);
+        };
+        run_with_threads(options.threads, take, stop);
+        const Probe thinned = probe->thinned(thinned_to);
+        const auto faster_of_two = [&](const Probe& part) {
+            const ProbeBuild first = build(part);
+            const ProbeBuild second = build(part);
+            return first.seconds() < second.seconds() ? first : second;
+        };
+        const ProbeBuild smaller = faster_of_two(thinned);
+        const ProbeBuild larger = faster_of_two(*probe);
+        return extrapolated(smaller, larger,
+                            std::max(1.0, primitives.size() / std::max(1.0, larger.size)));
+    });
 }
 
 }  // namespace

@@ -1,12 +1,8 @@
 #include "coppice/build/method.h"
 
-#include "coppice/base/error.h"
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include "coppice/base/named.h"
 
 #include <array>
-#include <vector>
 
 namespace coppice {
 namespace {
@@ -69,7 +65,8 @@ BuildOptions sweep() {
 
 template <WidePreset preset>
 BuildOptions wide() {
-    const double rate = preset == WidePreset::quality ? 1.0 : 0.01;
+    const bool is_sampled = preset == WidePreset::fast || preset == WidePreset::balanced;
+    const double rate = is_sampled ? 0.01 : 1.0;
     return {.sample = {.rate = rate, .sampler = "weighted"}, .wide = {.preset = preset}};
 }
 
@@ -100,13 +97,7 @@ std::span<const Method> method_registry() {
 }
 
 const Method& find_method(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const Method& method : methods) {
-        if (method.name == name) return method;
-        names.push_back(method.name);
-    }
-    throw Error(ErrorCode::invalid_argument,
-                fmt::format("no method '{}'; there are: {}", name, fmt::join(names, ", ")));
+    return find_named(method_registry(), name, "method");
 }
 
 }  // namespace coppice

@@ -1,4 +1,4 @@
-#include "coppice/base/error.h"
+#include "coppice/base/named.h"
 #include "coppice/build/split_finder.h"
 
 #include "build/split/adaptive_split.h"
@@ -9,11 +9,7 @@
 #include "build/split/sah_sweep.h"
 #include "build/split/subsampled_split.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <array>
-#include <vector>
 
 namespace coppice {
 
@@ -45,13 +41,7 @@ std::span<const SplitFinderEntry> split_finder_registry() {
 }
 
 const SplitFinder& find_split_finder(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const SplitFinderEntry& entry : split_finder_registry()) {
-        if (entry.name == name) return entry.finder;
-        names.push_back(entry.name);
-    }
-    throw Error(ErrorCode::invalid_argument,
-                fmt::format("no split rule '{}'; there are: {}", name, fmt::join(names, ", ")));
+    return find_named(split_finder_registry(), name, "split rule").finder;
 }
 
 }  // namespace coppice

@@ -2,8 +2,6 @@
 
 #include "coppice/base/parallel.h"
 
-#include "base/out_of_memory.h"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -14,13 +12,11 @@ namespace coppice {
 void run_build(const BuildOptions& options, const BuildControl& control,
                const std::function<void(Progress*)>& build) {
     check(options);
-    with_memory_errors("the build", [&] {
-        std::optional<Progress> progress;
-        if (control.on_progress) progress.emplace(control.on_progress);
-        run_with_threads(
-            options.threads, [&] { build(progress ? &*progress : nullptr); }, control.stop);
-        if (progress) progress->finish();
-    });
+    std::optional<Progress> progress;
+    if (control.on_progress) progress.emplace(control.on_progress);
+    run_with_threads(
+        options.threads, [&] { build(progress ? &*progress : nullptr); }, control.stop);
+    if (progress) progress->finish();
 }
 
 bool is_within_limit(const Estimate& estimate, const BuildControl& control) noexcept {

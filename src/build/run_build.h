@@ -12,8 +12,7 @@
 namespace coppice {
 
 /// Runs a build as its options and control say: checks the options, and tells `control` of the
-/// progress; `build` gets null if nobody asks for it. Throws Error(cancelled) after a stop, and
-/// Error(out_of_memory).
+/// progress; `build` gets null if nobody asks for it. Throws Error(cancelled) after a stop.
 void run_build(const BuildOptions& options, const BuildControl& control,
                const std::function<void(Progress*)>& build);
 

@@ -2,9 +2,8 @@
 // axis, and three edge functions decide. The original computes them in float, and in double where
 // one is zero. Here all is double with a bound on its rounding; where that leaves a sign open,
 // which is about once in a billion tests unless rays are aimed at edges, the edge functions are
-// computed as volumes in twice the precision. So every sign is the true one (of a volume below
-// 2^-90 of its terms: zero), hits are those of exact arithmetic, and no ray passes between
-// triangles that share an edge.
+// computed as volumes, exactly. So every sign is the true one, hits are those of exact arithmetic,
+// and no ray passes between triangles that share an edge.
 //
 // The distance has not enough digits left where the ray hardly leaves the triangle's plane, or
 // starts at it: then it is computed anew, from the plane, in twice the precision.

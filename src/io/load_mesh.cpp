@@ -78,9 +78,9 @@ LoadedMesh load_by_extension(const std::filesystem::path& file, MeshAttributes* 
 TriangleMesh load_mesh(const std::filesystem::path& file, LoadReport* report,
                        MeshAttributes* attributes) {
     const Timer timer;
-    const std::uint64_t file_bytes = regular_file_bytes(file);
-    if (attributes != nullptr) *attributes = {};
-    return with_memory_errors(file.string(), [&] {
+    return with_memory_errors(file, [&] {
+        const std::uint64_t file_bytes = regular_file_bytes(file);
+        if (attributes != nullptr) *attributes = {};
         LoadedMesh loaded = load_by_extension(file, attributes);
         if (report != nullptr) {
             *report = std::move(loaded.report);

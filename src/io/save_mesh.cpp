@@ -114,15 +114,15 @@ void check_is_writable(TriangleMeshView mesh, bool is_obj, const std::string& fi
 }  // namespace
 
 void save_mesh(TriangleMeshView mesh, const std::filesystem::path& file) {
-    const std::string extension = to_lower(file.extension().string());
-    const bool is_obj = extension == ".obj";
-    if (!is_obj && extension != ".ply") {
-        throw file_error(
-            ErrorCode::unsupported, file.string(),
-            fmt::format("cannot write {} files, only .obj and .ply", in_quotes(extension)));
-    }
-    check_is_writable(mesh, is_obj, file.string());
-    with_memory_errors(file.string(), [&] {
+    with_memory_errors(file, [&] {
+        const std::string extension = to_lower(file.extension().string());
+        const bool is_obj = extension == ".obj";
+        if (!is_obj && extension != ".ply") {
+            throw file_error(
+                ErrorCode::unsupported, file.string(),
+                fmt::format("cannot write {} files, only .obj and .ply", in_quotes(extension)));
+        }
+        check_is_writable(mesh, is_obj, file.string());
         NewFile output(file);
         if (is_obj) {
             write_obj(mesh, output);

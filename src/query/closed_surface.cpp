@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 namespace coppice {
@@ -35,6 +34,21 @@ double angle_between(Vec3d a, Vec3d b) noexcept {
 
 auto key_of(Vec3f p) noexcept {
     return std::make_tuple(p.x + 0.0F, p.y + 0.0F, p.z + 0.0F);
+}
+
+// The vertices that triangles use; others may be anything, also NaN, which cannot be sorted.
+std::vector<std::uint32_t> used_vertices(TriangleMeshView mesh) {
+    std::vector<bool> is_used(mesh.vertices().size(), false);
+    for (const TriangleIndices& triangle : mesh.triangles()) {
+        for (const std::uint32_t vertex : triangle) {
+            is_used[vertex] = true;
+        }
+    }
+    std::vector<std::uint32_t> used;
+    for (std::uint32_t vertex = 0; vertex < is_used.size(); ++vertex) {
+        if (is_used[vertex]) used.push_back(vertex);
+    }
+    return used;
 }
 
 std::string text_of(Vec3f p) {
@@ -68,8 +82,7 @@ ClosedSurface::ClosedSurface(TriangleMeshView mesh) {
 
 void ClosedSurface::weld(TriangleMeshView mesh) {
     const std::span<const Vec3f> vertices = mesh.vertices();
-    std::vector<std::uint32_t> order(vertices.size());
-    std::iota(order.begin(), order.end(), 0U);
+    std::vector<std::uint32_t> order = used_vertices(mesh);
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
         return key_of(vertices[a]) < key_of(vertices[b]);
     });

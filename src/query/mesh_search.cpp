@@ -1,5 +1,6 @@
 #include "coppice/query/mesh_search.h"
 
+#include "base/out_of_memory.h"
 #include "query/kernels/mesh_search.h"
 #include "query/limit.h"
 #include "query/rows.h"
@@ -42,7 +43,8 @@ MeshSearch::MeshSearch(WideBvh tree) : MeshSearch(std::move(tree), choose_isa())
 
 MeshSearch::MeshSearch(WideBvh tree, Isa isa)
     : tree_(std::move(tree)),
-      repeated_(std::make_shared<const Bits>(find_repeated(tree_))),
+      repeated_(with_memory_errors(
+          "the search", [&] { return std::make_shared<const Bits>(find_repeated(tree_)); })),
       kernels_(&mesh_search_kernels_for(isa)) {}
 
 SurfaceNeighbor MeshSearch::nearest(Vec3f point, float max_distance) const noexcept {

@@ -2,6 +2,7 @@
 
 #include "coppice/base/error.h"
 
+#include "base/out_of_memory.h"
 #include "query/kernels/point_search.h"
 #include "query/limit.h"
 #include "query/rows.h"
@@ -41,8 +42,13 @@ PointSearch::PointSearch(KdTree tree, PointCloudView points)
     : PointSearch(std::move(tree), points, choose_isa()) {}
 
 PointSearch::PointSearch(KdTree tree, PointCloudView points, Isa isa)
-    : tree_(std::make_shared<const KdTree>(std::move(tree))),
-      coordinates_(std::make_shared<const std::vector<float>>(gather(tree_->references(), points))),
+    : tree_(with_memory_errors("the search",
+                               [&] { return std::make_shared<const KdTree>(std::move(tree)); })),
+      coordinates_(with_memory_errors("the search",
+                                      [&] {
+                                          return std::make_shared<const std::vector<float>>(
+                                              gather(tree_->references(), points));
+                                      })),
       kernels_(&point_search_kernels_for(isa)) {}
 
 SearchedPoints PointSearch::searched() const noexcept {

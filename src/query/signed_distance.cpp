@@ -1,6 +1,7 @@
 #include "coppice/query/signed_distance.h"
 
 #include "base/batch.h"
+#include "base/out_of_memory.h"
 #include "query/closed_surface.h"
 
 #include <limits>
@@ -9,7 +10,9 @@
 namespace coppice {
 
 SignedDistance::SignedDistance(TriangleMeshView mesh, MeshSearch search)
-    : search_(std::move(search)), surface_(std::make_shared<const ClosedSurface>(mesh)) {}
+    : search_(std::move(search)), surface_(with_memory_errors("the signed distance", [&] {
+          return std::make_shared<const ClosedSurface>(mesh);
+      })) {}
 
 SignedNeighbor SignedDistance::nearest(Vec3f point) const noexcept {
     const SurfaceNeighbor nearest = search_.nearest(point);

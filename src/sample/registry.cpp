@@ -1,4 +1,5 @@
 #include "coppice/base/error.h"
+#include "coppice/base/named.h"
 #include "coppice/sample/sampler.h"
 
 #include "sample/stratified.h"
@@ -6,7 +7,6 @@
 #include "sample/weighted.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -31,13 +31,7 @@ std::span<const SamplerEntry> sampler_registry() {
 }
 
 const Sampler& find_sampler(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const SamplerEntry& entry : sampler_registry()) {
-        if (entry.name == name) return entry.sampler;
-        names.push_back(entry.name);
-    }
-    throw Error(ErrorCode::invalid_argument,
-                fmt::format("no sampler '{}'; there are: {}", name, fmt::join(names, ", ")));
+    return find_named(sampler_registry(), name, "sampler").sampler;
 }
 
 std::uint32_t sample_count(std::uint32_t count, double rate) {

@@ -6,11 +6,16 @@
 
 #include "sample/weighted.h"
 
+#include <algorithm>
+
 namespace coppice {
 namespace {
 
 // The clamped set only grows, and does so by ever less.
 constexpr int max_rounds = 16;
+
+// Of the uniform share, for primitives without a diagonal: else there might be too few to draw.
+constexpr double least_share = 0x1.0p-20;
 
 }  // namespace
 
@@ -21,7 +26,7 @@ InclusionProbability WeightedSampler::choose(std::span<const float> diagonals, s
         sum += static_cast<double>(diagonal);
     }
     const double k = count;
-    const double share = sum > 0.0 ? options.uniform_share : 1.0;
+    const double share = sum > 0.0 ? std::max(options.uniform_share, least_share) : 1.0;
     const double at_zero = k * share / static_cast<double>(diagonals.size());
     const double slope = sum > 0.0 ? k * (1.0 - share) / sum : 0.0;
 

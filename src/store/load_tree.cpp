@@ -195,11 +195,11 @@ SavedTree read(const TreeFile& file) {
 }  // namespace
 
 SavedTree load_tree(const std::filesystem::path& file) {
-    return with_memory_errors(file.string(), [&] { return read(TreeFile(file)); });
+    return with_memory_errors(file, [&] { return read(TreeFile(file)); });
 }
 
 SavedTree load_tree(const std::filesystem::path& file, const Fingerprint& primitives) {
-    return with_memory_errors(file.string(), [&] {
+    return with_memory_errors(file, [&] {
         const TreeFile opened(file);
         const std::string other = difference(opened.header().primitives, primitives);
         if (!other.empty()) {

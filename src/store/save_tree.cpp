@@ -53,7 +53,7 @@ TreeFileHeader make_header(TreeFileHeader::Kind kind, const Fingerprint& primiti
 
 void save_tree(const std::filesystem::path& file, const KdTree& tree, const Fingerprint& primitives,
                const TreeOrigin& origin) {
-    with_memory_errors(file.string(), [&] {
+    with_memory_errors(file, [&] {
         save(file, tree.nodes(), tree.references(), origin,
              make_header(TreeFileHeader::kd, primitives, tree.bounds()));
     });
@@ -61,7 +61,7 @@ void save_tree(const std::filesystem::path& file, const KdTree& tree, const Fing
 
 void save_tree(const std::filesystem::path& file, const WideBvh& tree,
                const Fingerprint& primitives, const TreeOrigin& origin) {
-    with_memory_errors(file.string(), [&] {
+    with_memory_errors(file, [&] {
         save(file, tree.nodes(), tree.blocks(), origin,
              make_header(TreeFileHeader::wide, primitives, tree.bounds()));
     });

@@ -60,4 +60,19 @@ void WideTracer::occluded(std::span<const Ray> rays, std::span<bool> is_occluded
     });
 }
 
+void WideTracer::intersect_all(std::span<const Ray> rays, std::span<Hit> hits,
+                               std::span<std::size_t> counts, int threads) const {
+    require_room("intersect_all", rays.size(), counts.size());
+    const std::size_t each = room_of_each("intersect_all", rays.size(), hits.size());
+    for_each_query(rays.size(), threads, [&](std::size_t i) {
+        counts[i] = intersect_all(rays[i], hits.subspan(i * each, each));
+    });
+}
+
+void WideTracer::count_hits(std::span<const Ray> rays, std::span<std::uint64_t> counts,
+                            int threads) const {
+    require_room("count_hits", rays.size(), counts.size());
+    for_each_query(rays.size(), threads, [&](std::size_t i) { counts[i] = count_hits(rays[i]); });
+}
+
 }  // namespace coppice

@@ -4,6 +4,7 @@
 #include "coppice/base/error.h"
 #include "coppice/base/parallel.h"
 #include "coppice/build/build_tree.h"
+#include "coppice/build/method.h"
 #include "coppice/trace/brute_force.h"
 #include "coppice/trace/wide_tracer.h"
 
@@ -19,6 +20,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace coppice::test {
@@ -114,6 +117,40 @@ TEST(BuildWideBvh, DoesNotSampleSmallScenes) {
     const WideBvh sampled = build_wide_bvh(mesh.view(), {.sample = {.rate = 0.1}}, &report);
     EXPECT_EQ(report.sample_count, mesh.triangles.size());
     EXPECT_TRUE(is_same(sampled, build_wide_bvh(mesh.view())));
+}
+
+// The method auto is what the library does by itself; the report tells the sample that was drawn.
+TEST(BuildWideBvh, AutomaticSamplesAsThePresetThatItTakes) {
+    const TriangleMesh mesh = make_sphere(60, 61);
+    const auto built = [&](const char* method, double expected_rays) {
+        BuildOptions options = method == nullptr ? BuildOptions{} : find_method(method).options();
+        options.wide.sampled_from = 0;
+        options.wide.expected_rays = expected_rays;
+        BuildReport report;
+        WideBvh tree = build_wide_bvh(mesh.view(), options, &report);
+        return std::pair(std::move(tree), report);
+    };
+    for (const double rays : {0.0, 1e9}) {
+        const auto [by_options, report] = built(nullptr, rays);
+        const auto [by_name, report_by_name] = built("auto", rays);
+        const auto [named, named_report] = built(rays == 0.0 ? "fast" : "quality", rays);
+        EXPECT_TRUE(is_same(by_options, named)) << rays;
+        EXPECT_TRUE(is_same(by_name, named)) << rays;
+        EXPECT_EQ(report.options.sample.rate, rays == 0.0 ? 0.01 : 1.0);
+        EXPECT_EQ(report_by_name.sample_count, named_report.sample_count);
+    }
+}
+
+TEST(BuildWideBvh, RefusesMoreTrianglesThanItsBlocksCanHold) {
+    const TriangleMesh mesh = make_soup(1, 0.1F, 1);
+    const std::span<const TriangleIndices> many(mesh.triangles.data(), (std::size_t{1} << 30) + 1);
+    try {
+        static_cast<void>(build_wide_bvh({mesh.vertices, many}));  // which looks at none of them
+        ADD_FAILURE() << "no exception";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::limit);
+        EXPECT_STREQ(error.what(), "1073741825 triangles; a wide tree can hold at most 1073741824");
+    }
 }
 
 // A leaf of two walls that meet would be tested by every ray from inside.

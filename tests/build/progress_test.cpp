@@ -153,15 +153,6 @@ TEST(MemoryLimit, AutomaticTakesTheSmallestPresetIfThatKeepsWithinIt) {
     EXPECT_THROW(static_cast<void>(build_wide_bvh(mesh, options, nullptr, limit)), Error);
 }
 
-TEST(RunBuild, SaysThatMemoryIsOut) {
-    try {
-        run_build({}, {}, [](Progress*) { throw std::bad_alloc(); });
-        FAIL() << "no error";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ErrorCode::out_of_memory);
-    }
-}
-
 TEST(RunBuild, WritesBytesAsPeopleReadThem) {
     EXPECT_EQ(bytes_text(0), "0 bytes");
     EXPECT_EQ(bytes_text(1), "1 byte");

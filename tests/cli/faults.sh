@@ -113,6 +113,15 @@ for how in 'build balls.ply -o none/a.cpk' 'render balls.ply -o none/a.png' \
     expect_stdout_empty # found out before any work
 done
 expect_no_file none
+# A limit on the size of files is a failed write, not the end of the program.
+coppice generate soup --triangles 3000 -o soup.ply >/dev/null
+before=$(ls -A)
+for how in 'build soup.ply -o big.cpk' 'render soup.ply -o big.exr --size 300x300 --spp 1' \
+    'generate soup --triangles 3000 -o big.ply'; do
+    # shellcheck disable=SC2086 # several arguments
+    (ulimit -f 20 && failing 'File too large' coppice $how) || exit
+done
+expect_equal "$(ls -A)" "$before"
 mkfifo pipe pipe.png
 for how in 'trace balls.ply --json pipe' 'bench balls.ply --json pipe' 'tune balls.ply --json pipe' \
     'render balls.ply -o pipe.png' 'build balls.ply -o pipe'; do

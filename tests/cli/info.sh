@@ -26,6 +26,12 @@ expect_stdout 'repeated vertices, kept +1  \(vertices 4\)'
 expect_stdout 'vertices of no triangle, kept +1  \(vertices 5\)'
 expect_stdout 'relative \(negative\) indices +3$'
 
+# What lies behind the last row is counted.
+coppice generate soup --triangles 10 -o soup.ply >/dev/null
+cat soup.ply soup.ply >twice.ply
+expect_exit 0 coppice info twice.ply
+expect_stdout "bytes behind the last row, unread +$(wc -c <soup.ply)\$"
+
 # A scene without oddities says so; several scenes follow each other.
 coppice generate terrain --triangles 1000 -o terrain.ply >/dev/null
 expect_exit 0 coppice info odd.obj terrain.ply

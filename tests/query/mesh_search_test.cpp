@@ -136,6 +136,20 @@ TEST(MeshSearch, DistancesAreInclusive) {
     EXPECT_EQ(find_overlapping(search, everywhere).size(), 32U);
 }
 
+int visit_count = 0;
+
+bool visit_two(const SurfaceNeighbor& /*found*/) {
+    return ++visit_count < 2;
+}
+
+TEST(MeshSearch, ShowsWhatItFindsToFunctions) {
+    const MeshSearch search(build_wide_bvh(make_sphere(10, 11).view()));
+    search.for_each_within({0, 0, 0}, 5.0F, visit_two);
+    EXPECT_EQ(visit_count, 2);
+    search.for_each_within({0, 0, 0}, 5.0F, &visit_two);
+    EXPECT_EQ(visit_count, 3);
+}
+
 TEST(MeshSearch, StopsWhenTold) {
     const MeshSearch search(build_wide_bvh(make_sphere(10, 11).view()));
     int count = 0;

@@ -6,6 +6,7 @@
 
 #include "query/query_points.h"
 #include "support/meshes.h"
+#include "support/numbers.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -105,6 +106,17 @@ TEST(SignedDistance, WeldsByPosition) {
     EXPECT_EQ(over.nearest.prim, 0U);
     EXPECT_GT(over.signed_distance, 0.0);
     EXPECT_LT(surface.nearest(to_float(0.999 * middle)).signed_distance, 0.0);
+}
+
+// They cannot be sorted: corners beside them in the order were not welded.
+TEST(SignedDistance, DoesNotMindUnusedVerticesThatAreNaN) {
+    const TriangleMesh sphere = make_sphere(30, 31);
+    TriangleMesh mesh;
+    for (std::uint32_t id = 0; id < sphere.view().size(); ++id) {
+        add_triangle(mesh, sphere.view().triangle(id));
+        if (id % 50 == 7) mesh.vertices.push_back({nan, 0, nan});
+    }
+    EXPECT_LT(make_signed(mesh).nearest({0, 0.9F, 0}).signed_distance, 0.0);
 }
 
 TEST(SignedDistance, OfManyPoints) {

@@ -2,6 +2,7 @@
 
 #include "coppice/base/error.h"
 #include "coppice/build/build_tree.h"
+#include "coppice/build/estimate.h"
 #include "coppice/geom/point_cloud.h"
 
 #include "support/meshes.h"
@@ -62,6 +63,22 @@ TEST(NotFinite, TrianglesWithOneNanCornerAreRefused) {
             EXPECT_EQ(error_of_wide(bad.view()), expected);
         }
     }
+}
+
+// Estimates, which a limit on memory asks for, swept the NaN of their sample for ever.
+TEST(NotFinite, BoxesAreRefusedByEstimates) {
+    TriangleMesh mesh = make_soup(50'000, 0.1F, 1);
+    for (std::size_t id = 7; id < mesh.triangles.size(); id += 10) {
+        mesh.vertices[3 * id].x = nan;
+    }
+    const BuildControl limit{.memory_limit_bytes = std::uint64_t{1} << 40};
+    const std::string expected = "primitive 7 has no finite box";
+    EXPECT_EQ(error_of_build([&] { return estimate_kd_tree(mesh.view(), {}); }), expected);
+    EXPECT_EQ(error_of_build([&] { return estimate_wide_bvh(mesh.view(), {}); }), expected);
+    EXPECT_EQ(error_of_build([&] { return build_kd_tree(mesh.view(), {}, nullptr, limit); }),
+              expected);
+    EXPECT_EQ(error_of_build([&] { return build_wide_bvh(mesh.view(), {}, nullptr, limit); }),
+              expected);
 }
 
 }  // namespace

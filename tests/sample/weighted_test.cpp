@@ -42,6 +42,16 @@ TEST(WeightedSampler, DrawsEachAsOftenAsItsWeightSays) {
     }
 }
 
+TEST(WeightedSampler, FillsUpWithPrimitivesWithoutDiagonal) {
+    const TriangleMesh mesh = joined(make_soup(10, 0.1F, 1), make_degenerate_points(990, 2));
+    for (const double share : {0.0, 1e-9, 0.5}) {
+        const Sample sample =
+            WeightedSampler().draw(mesh.view(), 200, {.seed = 3, .uniform_share = share});
+        EXPECT_EQ(sample.ids.size(), 200U) << share;
+        EXPECT_EQ(std::adjacent_find(sample.ids.begin(), sample.ids.end()), sample.ids.end());
+    }
+}
+
 TEST(WeightedSampler, IsStratifiedWhereAllShareAlike) {
     const TriangleMesh mesh = make_one_huge();
     const Sample sample =

@@ -12,6 +12,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -125,6 +127,22 @@ TEST_P(EveryIsa, CountsMoreHitsThanItKeeps) {
     EXPECT_EQ(make_tracer(mesh).count_hits({{0, 0, -1}, {0, 0.1F, 1}}), 1000U);
 }
 
+void expect_all_like_single(const WideTracer& tracer, std::span<const Ray> rays, int threads) {
+    constexpr std::size_t room = 3;
+    std::vector<Hit> hits(room * rays.size());
+    std::vector<std::size_t> found(rays.size());
+    std::vector<std::uint64_t> counts(rays.size());
+    tracer.intersect_all(rays, hits, found, threads);
+    tracer.count_hits(rays, counts, threads);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        std::array<Hit, room> expected;
+        ASSERT_EQ(found[i], tracer.intersect_all(rays[i], expected)) << i;
+        ASSERT_TRUE(std::equal(expected.begin(), expected.begin() + found[i],
+                               hits.begin() + static_cast<std::ptrdiff_t>(room * i)));
+        ASSERT_EQ(counts[i], tracer.count_hits(rays[i])) << i;
+    }
+}
+
 void expect_batch_like_single(const WideTracer& tracer, std::span<const Ray> rays, int threads) {
     std::vector<Hit> hits(rays.size());
     const auto is_occluded = std::make_unique<bool[]>(rays.size());
@@ -146,9 +164,16 @@ TEST_P(EveryIsa, BatchesAreWhatSingleRaysAre) {
     }
     for (const int threads : {1, 2, 0}) {
         expect_batch_like_single(tracer, rays, threads);
+        expect_all_like_single(tracer, rays, threads);
     }
     std::vector<Hit> too_few(rays.size() - 1);
+    std::vector<std::size_t> found(rays.size());
+    std::vector<std::uint64_t> counts(rays.size() + 1);
     EXPECT_THROW(tracer.intersect(rays, too_few), Error);
+    EXPECT_THROW(tracer.intersect_all(rays, too_few, found), Error);
+    EXPECT_THROW(tracer.count_hits(rays, counts), Error);
+    tracer.intersect_all(rays, {}, found);  // room for no hit of any ray
+    EXPECT_EQ(found, std::vector<std::size_t>(rays.size(), 0));
 }
 
 // Rays that go the same way are traced together: from one point or from several, towards points

@@ -5,12 +5,12 @@
 #include "lab/bench.h"
 
 #include "coppice/base/error.h"
+#include "coppice/base/named.h"
 #include "coppice/base/parallel.h"
 #include "coppice/base/timer.h"
 #include "coppice/io/load_mesh.h"
 
 #include "lab/contestant.h"
-#include "lab/named.h"
 #include "lab/remaining_time.h"
 #include "lab/room_view.h"
 #include "lab/scene_names.h"

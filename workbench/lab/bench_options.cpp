@@ -1,9 +1,9 @@
 #include "lab/bench_options.h"
 
 #include "coppice/base/error.h"
+#include "coppice/base/named.h"
 
 #include "lab/contestant.h"
-#include "lab/named.h"
 #include "lab/variant.h"
 
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 #include "lab/builders.h"
 
+#include "coppice/base/named.h"
 #include "coppice/build/method.h"
 #include "coppice/sample/sampler.h"
 
 #include "lab/contestant.h"
-#include "lab/named.h"
 
 #include <algorithm>
 #include <span>

@@ -93,7 +93,9 @@ public:
                    const BuildControl control =
                        limit_memory(is_measured ? memory_limit_bytes_ : 0, mesh);
                    tracer_.emplace(build_wide_bvh(mesh, options_, report, control));
-                   if (report != nullptr) options_.wide.preset = report->preset;
+                   if (report == nullptr) return;
+                   options_.sample = report->options.sample;
+                   options_.wide.preset = report->preset;
                });
     }
 

@@ -1,12 +1,12 @@
 #include "lab/experiment_options.h"
 
 #include "coppice/base/error.h"
+#include "coppice/base/named.h"
 #include "coppice/base/parallel.h"
 #include "coppice/build/split_finder.h"
 #include "coppice/sample/sampler.h"
 
 #include "lab/builders.h"
-#include "lab/named.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -5,9 +5,8 @@
 #include "lab/journal.h"
 
 #include "coppice/base/error.h"
+#include "coppice/base/named.h"
 #include "coppice/io/write_file.h"
-
-#include "lab/named.h"
 
 #include <fcntl.h>
 #include <nlohmann/json.hpp>
@@ -139,12 +138,16 @@ RowKey stored_key(RowKey key) {
 std::string read_whole_lines(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);
     if (!stream) {
+        if (errno != ENOENT) fail(path, "cannot open the file");
         throw file_error(ErrorCode::io, path.string(),
                          "there is no unfinished experiment to resume");
     }
     std::ostringstream contents;
     contents << stream.rdbuf();
     std::string text = contents.str();
+    if (text.size() != std::filesystem::file_size(path)) {  // or rows would be cut off
+        throw file_error(ErrorCode::io, path.string(), "cannot read the file");
+    }
     text.resize(text.rfind('\n') + 1);  // 0 if there is none
     return text;
 }

@@ -10,9 +10,8 @@
 #include "lab/procedural.h"
 
 #include "coppice/base/error.h"
+#include "coppice/base/named.h"
 #include "coppice/base/rng.h"
-
-#include "lab/named.h"
 
 #include <fmt/format.h>
 

@@ -11,8 +11,7 @@
 #include "lab/protocol.h"
 
 #include "coppice/base/error.h"
-
-#include "lab/named.h"
+#include "coppice/base/named.h"
 
 #include <array>
 #include <cmath>

@@ -5,10 +5,9 @@
 #include "lab/trace_check.h"
 
 #include "coppice/base/error.h"
+#include "coppice/base/named.h"
 #include "coppice/base/parallel.h"
 #include "coppice/trace/brute_force.h"
-
-#include "lab/named.h"
 
 #include <algorithm>
 #include <array>

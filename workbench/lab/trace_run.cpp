@@ -11,7 +11,6 @@
 #include "coppice/store/tree_file.h"
 
 #include "lab/memory_limit.h"
-#include "lab/named.h"
 #include "lab/ray_maker.h"
 #include "lab/room_view.h"
 #include "lab/scene_names.h"

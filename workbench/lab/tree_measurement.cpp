@@ -1,10 +1,10 @@
 #include "lab/tree_measurement.h"
 
+#include "coppice/base/named.h"
 #include "coppice/build/build_tree.h"
 #include "coppice/tree/walk.h"
 
 #include "lab/contestant.h"
-#include "lab/named.h"
 #include "lab/traced_tree.h"
 
 #include <limits>

@@ -1,15 +1,12 @@
 #include "render/integrator.h"
 
-#include "coppice/base/error.h"
+#include "coppice/base/named.h"
 
 #include "render/integrators/integrators.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <array>
-#include <vector>
 
 namespace coppice::render {
 
@@ -47,13 +44,7 @@ std::span<const IntegratorEntry> integrator_registry() {
 }
 
 const IntegratorEntry& find_integrator(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const IntegratorEntry& entry : integrator_registry()) {
-        if (entry.name == name) return entry;
-        names.push_back(entry.name);
-    }
-    throw Error(ErrorCode::invalid_argument,
-                fmt::format("no integrator '{}'; there are: {}", name, fmt::join(names, ", ")));
+    return find_named(integrator_registry(), name, "integrator");
 }
 
 }  // namespace coppice::render

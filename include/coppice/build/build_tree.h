@@ -20,8 +20,11 @@ namespace coppice {
                                    BuildReport* report = nullptr, const BuildControl& control = {});
 
 /// The same with an 8-wide tree as the result, as `options.wide` says: a top from a sample, all
-/// triangles filled into its cells, and every cell built on by object splits. `options.split` and
+/// triangles filled into its cells, and every cell built on by object splits. `options.sample`
+/// applies from `options.wide.sampled_from` triangles on; `report` has the sample as it was drawn.
+/// `options.cost` is only what the finished tree is measured by; `options.split` and
 /// `options.growth` do not apply. The tree keeps a copy of the triangles' corners.
+/// Throws Error(limit) for more than 2^30 triangles, too.
 [[nodiscard]] WideBvh build_wide_bvh(TriangleMeshView mesh, const BuildOptions& options = {},
                                      BuildReport* report = nullptr,
                                      const BuildControl& control = {});

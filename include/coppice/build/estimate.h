@@ -10,10 +10,10 @@
 namespace coppice {
 
 /// What build_kd_tree() is expected to come to with these primitives and options: from building a
-/// sixteenth of the scene, in pieces from all over it. Takes about a tenth of the build's time. The
-/// seconds are for memory that the process has not touched yet. All
-/// but the seconds depends on primitives and options alone; the seconds are of this machine, now.
-/// Throws like build_kd_tree().
+/// sixteenth of the scene, in pieces from all over it. Takes about a fifth of the time of the
+/// build, of a wide tree's up to half. The seconds are for memory that the process has not touched
+/// yet. All but the seconds depends on primitives and options alone; these are of this machine,
+/// now. Throws like build_kd_tree().
 [[nodiscard]] Estimate estimate_kd_tree(PrimitiveSetView primitives, const BuildOptions& options,
                                         const std::stop_token& stop = {});
 

@@ -6,9 +6,9 @@
 
 namespace coppice {
 
-/// Any callable that takes a `const T&`, by reference, for the length of a call: how queries hand
-/// over what they find without allocating. A callable that returns a bool ends the query by false.
-/// It must not throw: queries are noexcept.
+/// Any callable, also a function, that takes a `const T&`, by reference, for the length of a call:
+/// how queries hand over what they find without allocating. A callable that returns a bool ends the
+/// query by false. It must not throw: queries are noexcept.
 template <typename T>
 class Visitor {
 public:
@@ -18,7 +18,7 @@ public:
     template <std::invocable<const T&> Visit>
     requires(!std::same_as<std::remove_cvref_t<Visit>, Visitor>) Visitor(Visit&& visit)
     noexcept
-        : visit_(const_cast<void*>(static_cast<const void*>(std::addressof(visit)))),
+        : visit_(const_cast<void*>(reinterpret_cast<const void*>(std::addressof(visit)))),
           call_(&call<std::remove_reference_t<Visit>>) {}
 
     // NOLINTEND(google-explicit-constructor,bugprone-forwarding-reference-overload)
@@ -30,10 +30,10 @@ private:
     template <typename Visit>
     static bool call(void* visit, const T& found) {
         if constexpr (std::is_void_v<std::invoke_result_t<Visit&, const T&>>) {
-            (*static_cast<Visit*>(visit))(found);
+            (*reinterpret_cast<Visit*>(visit))(found);
             return true;
         } else {
-            return (*static_cast<Visit*>(visit))(found);
+            return (*reinterpret_cast<Visit*>(visit))(found);
         }
     }
 

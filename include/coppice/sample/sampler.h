@@ -16,7 +16,8 @@ struct SampleOptions {
     std::string sampler = "uniform";  ///< a name of sampler_registry()
     std::uint64_t seed = 1;           ///< same seed, same sample
     double uniform_share = 0.5;       ///< `weighted` only: the part of the inclusion probability
-                                      ///< that is the same for all, in [0, 1]
+                                      ///< that is the same for all, in [0, 1]; at least 2^-20 is
+                                      ///< taken, so that no primitive is impossible
 };
 
 /// The primitives chosen: distinct ids, ascending.

@@ -53,6 +53,18 @@ public:
         tracer_.occluded(rays, is_occluded, threads);
     }
 
+    /// The first hits of each ray, as many of each as there is room for; see WideTracer.
+    void intersect_all(std::span<const Ray> rays, std::span<Hit> hits,
+                       std::span<std::size_t> counts, int threads = 1) const {
+        tracer_.intersect_all(rays, hits, counts, threads);
+    }
+
+    /// The number of triangles that each ray hits.
+    void count_hits(std::span<const Ray> rays, std::span<std::uint64_t> counts,
+                    int threads = 1) const {
+        tracer_.count_hits(rays, counts, threads);
+    }
+
     /// The triangle nearest to a point, if one is within `max_distance`; see MeshSearch, also for
     /// the three below.
     [[nodiscard]] SurfaceNeighbor nearest(

@@ -42,4 +42,24 @@ namespace coppice {
 [[nodiscard]] std::uint64_t count_hits(const KdTree& tree, TriangleMeshView mesh,
                                        const Ray& ray) noexcept;
 
+// The same for many rays on at most `threads` threads, 0 for all of the machine's. They throw
+// Error(invalid_argument) if there is not room for the results of each ray.
+
+/// The closest hit of each ray; where there is none, a Hit with infinite t.
+void intersect(const KdTree& tree, TriangleMeshView mesh, std::span<const Ray> rays,
+               std::span<Hit> hits, int threads = 1);
+
+/// Whether each ray hits anything.
+void occluded(const KdTree& tree, TriangleMeshView mesh, std::span<const Ray> rays,
+              std::span<bool> is_occluded, int threads = 1);
+
+/// The first k hits of each ray in order, k = hits.size() / rays.size(): those of ray i are
+/// hits[i * k] and the following, counts[i] of them.
+void intersect_all(const KdTree& tree, TriangleMeshView mesh, std::span<const Ray> rays,
+                   std::span<Hit> hits, std::span<std::size_t> counts, int threads = 1);
+
+/// How many triangles each ray hits.
+void count_hits(const KdTree& tree, TriangleMeshView mesh, std::span<const Ray> rays,
+                std::span<std::uint64_t> counts, int threads = 1);
+
 }  // namespace coppice

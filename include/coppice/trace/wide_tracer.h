@@ -55,6 +55,16 @@ public:
     /// Whether each ray hits anything. The same otherwise.
     void occluded(std::span<const Ray> rays, std::span<bool> is_occluded, int threads = 1) const;
 
+    /// The first k hits of each ray in order, k = hits.size() / rays.size(): those of ray i are
+    /// hits[i * k] and the following, counts[i] of them. Throws Error(invalid_argument) if there is
+    /// not room for as many of each.
+    void intersect_all(std::span<const Ray> rays, std::span<Hit> hits,
+                       std::span<std::size_t> counts, int threads = 1) const;
+
+    /// The number of triangles that each ray hits. The same otherwise as for `intersect`.
+    void count_hits(std::span<const Ray> rays, std::span<std::uint64_t> counts,
+                    int threads = 1) const;
+
     [[nodiscard]] const WideBvh& tree() const noexcept { return tree_; }
 
 private:

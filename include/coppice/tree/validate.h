@@ -32,11 +32,13 @@ enum class FindingKind {
 /// The stable lower-case name of a kind of finding, e.g. "lost_primitive".
 [[nodiscard]] const char* finding_name(FindingKind kind) noexcept;
 
-/// One thing wrong with a tree, in words, with the node or primitive concerned.
+/// One thing wrong with a tree, in words, with what it is about: the id of a primitive for
+/// lost_primitive and bounds_too_small; the index of a reference of a k-d tree for
+/// unreachable_reference; the index of a block of a wide tree for unreachable_reference,
+/// bad_reference and wrong_corners; else that of a node.
 struct Finding {
     FindingKind kind;
-    std::uint64_t subject =
-        0;  ///< node index, or primitive id for lost_primitive, bounds_too_small
+    std::uint64_t subject = 0;
     std::string message;
 };
 

@@ -63,12 +63,12 @@ inline Lanes abs(Lanes a) noexcept {
     return each(a, a, [](float x, float /*same*/) { return std::abs(x); });
 }
 
-// A bit for every lane in which a <= b.
 // The larger of two without their signs.
 inline Lanes larger_size(Lanes a, Lanes b) noexcept {
     return max(abs(a), abs(b));
 }
 
+// A bit for every lane in which a <= b.
 inline unsigned less_equal(Lanes a, Lanes b) noexcept {
     unsigned mask = 0;
     for (unsigned i = 0; i < 8; ++i) {

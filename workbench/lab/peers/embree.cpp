@@ -6,11 +6,13 @@
 // A device limits the threads of the *process* while it lives, through oneTBB's global control: so
 // all contestants of one time must have the same number of threads.
 
+#include "coppice/base/error.h"
 #include "coppice/base/timer.h"
 
 #include "lab/contestant.h"
 
 #include <embree3/rtcore.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -89,6 +91,16 @@ unsigned count_of(std::span<const Ray> rays) noexcept {
     return static_cast<unsigned>(rays.size());
 }
 
+void require_no_error(RTCDevice device, const char* what) {
+    const RTCError error = rtcGetDeviceError(device);
+    if (error == RTC_ERROR_NONE) return;
+    if (error == RTC_ERROR_OUT_OF_MEMORY) {
+        throw Error(ErrorCode::out_of_memory, fmt::format("Embree, {}: out of memory", what));
+    }
+    throw Error(ErrorCode::unsupported,
+                fmt::format("Embree, {}: error {}", what, static_cast<int>(error)));
+}
+
 RTCIntersectContext context_for(Queries queries) noexcept {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
@@ -101,6 +113,7 @@ public:
     EmbreeContestant(Settings settings, int threads)
         : settings_(settings),
           device_(rtcNewDevice(("threads=" + std::to_string(threads)).c_str())) {
+        require_no_error(device_, "its device");
         rtcSetDeviceMemoryMonitorFunction(device_, &DeviceMemory::on_change, &memory_);
     }
 
@@ -123,6 +136,7 @@ public:
         rtcSetSceneFlags(scene_, settings_.flags);
         attach(mesh);
         rtcCommitScene(scene_);
+        require_no_error(device_, "its build");
         BuildFigures figures{.wall_seconds = wall.seconds(), .cpu_seconds = cpu.seconds()};
         figures.bytes = static_cast<std::uint64_t>(memory_.held_bytes() - before);
         figures.peak_bytes = static_cast<std::uint64_t>(memory_.peak_bytes() - before);

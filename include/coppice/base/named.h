@@ -6,7 +6,9 @@
 #include <string>
 #include <string_view>
 
-namespace coppice::lab {
+namespace coppice {
+
+// What all registries of named entries have in common; an entry has a member `name`.
 
 /// The names of a registry's entries, in order: "fixed, scaled, grown".
 template <typename Entry>
@@ -27,9 +29,8 @@ template <typename Entry>
     for (const Entry& entry : entries) {
         if (entry.name == name) return entry;
     }
-    throw Error(ErrorCode::invalid_argument, "unknown " + std::string(what) + " '" +
-                                                 std::string(name) +
+    throw Error(ErrorCode::invalid_argument, "no " + std::string(what) + " '" + std::string(name) +
                                                  "'; there are: " + names_of(entries));
 }
 
-}  // namespace coppice::lab
+}  // namespace coppice

@@ -1,0 +1,40 @@
+// Queries of a k-d tree for many rays at once: each by itself, in ranges that tasks share out.
+
+#include "coppice/trace/intersect.h"
+
+#include "base/batch.h"
+
+namespace coppice {
+
+void intersect(const KdTree& tree, TriangleMeshView mesh, std::span<const Ray> rays,
+               std::span<Hit> hits, int threads) {
+    require_room("intersect", rays.size(), hits.size());
+    for_each_query(rays.size(), threads, [&](std::size_t i) {
+        hits[i] = intersect(tree, mesh, rays[i]).value_or(Hit{});
+    });
+}
+
+void occluded(const KdTree& tree, TriangleMeshView mesh, std::span<const Ray> rays,
+              std::span<bool> is_occluded, int threads) {
+    require_room("occluded", rays.size(), is_occluded.size());
+    for_each_query(rays.size(), threads,
+                   [&](std::size_t i) { is_occluded[i] = occluded(tree, mesh, rays[i]); });
+}
+
+void intersect_all(const KdTree& tree, TriangleMeshView mesh, std::span<const Ray> rays,
+                   std::span<Hit> hits, std::span<std::size_t> counts, int threads) {
+    require_room("intersect_all", rays.size(), counts.size());
+    const std::size_t each = room_of_each("intersect_all", rays.size(), hits.size());
+    for_each_query(rays.size(), threads, [&](std::size_t i) {
+        counts[i] = intersect_all(tree, mesh, rays[i], hits.subspan(i * each, each));
+    });
+}
+
+void count_hits(const KdTree& tree, TriangleMeshView mesh, std::span<const Ray> rays,
+                std::span<std::uint64_t> counts, int threads) {
+    require_room("count_hits", rays.size(), counts.size());
+    for_each_query(rays.size(), threads,
+                   [&](std::size_t i) { counts[i] = count_hits(tree, mesh, rays[i]); });
+}
+
+}  // namespace coppice
