@@ -33,6 +33,7 @@ struct Allocations {
     std::atomic<long> alive{0};
 };
 
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): operator new has no other
 constinit Allocations allocations;
 
 bool is_to_fail() {

@@ -136,18 +136,21 @@ TEST(MeshSearch, DistancesAreInclusive) {
     EXPECT_EQ(find_overlapping(search, everywhere).size(), 32U);
 }
 
-int visit_count = 0;
+int& visit_count() {
+    static int count = 0;
+    return count;
+}
 
 bool visit_two(const SurfaceNeighbor& /*found*/) {
-    return ++visit_count < 2;
+    return ++visit_count() < 2;
 }
 
 TEST(MeshSearch, ShowsWhatItFindsToFunctions) {
     const MeshSearch search(build_wide_bvh(make_sphere(10, 11).view()));
     search.for_each_within({0, 0, 0}, 5.0F, visit_two);
-    EXPECT_EQ(visit_count, 2);
+    EXPECT_EQ(visit_count(), 2);
     search.for_each_within({0, 0, 0}, 5.0F, &visit_two);
-    EXPECT_EQ(visit_count, 3);
+    EXPECT_EQ(visit_count(), 3);
 }
 
 TEST(MeshSearch, StopsWhenTold) {
