@@ -39,8 +39,9 @@ std::string_view kind_name(const AnyTree& tree) noexcept {
 
 void check_tree_output(const std::string& file, const std::filesystem::path& scene) {
     const std::filesystem::path path(file);
-    if (path.filename().empty())
+    if (path.filename().empty()) {
         throw UsageError("--out: no file is named; example: --out tree.cpk");
+    }
     std::error_code problem;
     if (std::filesystem::equivalent(path, scene, problem)) {
         throw UsageError(
