@@ -15,14 +15,6 @@ void require_room(std::string_view query, std::size_t count, std::size_t room) {
                 fmt::format("{}: {} queries, but room for {} results", query, count, room));
 }
 
-std::size_t room_of_each(std::string_view query, std::size_t count, std::size_t room) {
-    const std::size_t each = count == 0 ? 0 : room / count;
-    if (each * count == room) return each;
-    throw Error(ErrorCode::invalid_argument,
-                fmt::format("{}: room for {} results cannot be shared out among {} queries", query,
-                            room, count));
-}
-
 void run_query_ranges(std::size_t count, int threads,
                       const std::function<void(std::size_t, std::size_t)>& run) {
     // Enough to make up for handing it over, few enough to share out evenly.

@@ -9,10 +9,6 @@ namespace coppice {
 /// Throws Error(invalid_argument) naming the `query` unless there is room for one result a query.
 void require_room(std::string_view query, std::size_t count, std::size_t room);
 
-/// How many results there is room for of each of `count` queries. Throws Error(invalid_argument)
-/// naming the `query` unless it is the same for all.
-[[nodiscard]] std::size_t room_of_each(std::string_view query, std::size_t count, std::size_t room);
-
 /// Calls `run(begin, end)` on ranges that together are [0, count), on at most `threads` threads
 /// (0 = all the hardware has). Throws Error(invalid_argument) if `threads` is negative, and
 /// Error(out_of_memory).

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <new>
 #include <string>
-#include <type_traits>
 
 namespace coppice {
 
@@ -17,13 +16,8 @@ decltype(auto) with_memory_errors(const What& what, Work&& work) {
     try {
         return work();
     } catch (const std::bad_alloc&) {
-        std::string message;
-        if constexpr (std::is_same_v<What, std::filesystem::path>) {
-            message = what.string();
-        } else {
-            message = what;
-        }
-        throw Error(ErrorCode::out_of_memory, message + ": out of memory");
+        throw Error(ErrorCode::out_of_memory,
+                    std::filesystem::path(what).string() + ": out of memory");
     }
 }
 

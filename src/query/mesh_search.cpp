@@ -1,9 +1,9 @@
 #include "coppice/query/mesh_search.h"
 
 #include "base/out_of_memory.h"
+#include "base/rows.h"
 #include "query/kernels/mesh_search.h"
 #include "query/limit.h"
-#include "query/rows.h"
 
 #include <algorithm>
 #include <utility>

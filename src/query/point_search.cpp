@@ -3,9 +3,9 @@
 #include "coppice/base/error.h"
 
 #include "base/out_of_memory.h"
+#include "base/rows.h"
 #include "query/kernels/point_search.h"
 #include "query/limit.h"
-#include "query/rows.h"
 
 #include <fmt/format.h>
 

@@ -3,6 +3,7 @@
 #include "coppice/trace/intersect.h"
 
 #include "base/batch.h"
+#include "base/rows.h"
 
 namespace coppice {
 
@@ -24,10 +25,10 @@ void occluded(const KdTree& tree, TriangleMeshView mesh, std::span<const Ray> ra
 void intersect_all(const KdTree& tree, TriangleMeshView mesh, std::span<const Ray> rays,
                    std::span<Hit> hits, std::span<std::size_t> counts, int threads) {
     require_room("intersect_all", rays.size(), counts.size());
-    const std::size_t each = room_of_each("intersect_all", rays.size(), hits.size());
-    for_each_query(rays.size(), threads, [&](std::size_t i) {
-        counts[i] = intersect_all(tree, mesh, rays[i], hits.subspan(i * each, each));
-    });
+    for_each_row("intersect_all", rays.size(), hits, threads,
+                 [&](std::size_t i, std::span<Hit> row) {
+                     counts[i] = intersect_all(tree, mesh, rays[i], row);
+                 });
 }
 
 void count_hits(const KdTree& tree, TriangleMeshView mesh, std::span<const Ray> rays,

@@ -1,6 +1,7 @@
 #include "coppice/trace/wide_tracer.h"
 
 #include "base/batch.h"
+#include "base/rows.h"
 #include "trace/hit_list.h"
 #include "trace/kernels/wide_trace.h"
 
@@ -63,10 +64,9 @@ void WideTracer::occluded(std::span<const Ray> rays, std::span<bool> is_occluded
 void WideTracer::intersect_all(std::span<const Ray> rays, std::span<Hit> hits,
                                std::span<std::size_t> counts, int threads) const {
     require_room("intersect_all", rays.size(), counts.size());
-    const std::size_t each = room_of_each("intersect_all", rays.size(), hits.size());
-    for_each_query(rays.size(), threads, [&](std::size_t i) {
-        counts[i] = intersect_all(rays[i], hits.subspan(i * each, each));
-    });
+    for_each_row(
+        "intersect_all", rays.size(), hits, threads,
+        [&](std::size_t i, std::span<Hit> row) { counts[i] = intersect_all(rays[i], row); });
 }
 
 void WideTracer::count_hits(std::span<const Ray> rays, std::span<std::uint64_t> counts,

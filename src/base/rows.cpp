@@ -1,4 +1,4 @@
-#include "query/rows.h"
+#include "base/rows.h"
 
 #include "coppice/base/error.h"
 
