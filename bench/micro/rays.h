@@ -32,11 +32,6 @@ namespace coppice::bench {
     return made;
 }
 
-/// The terrain's k-d tree from a sample of as many percent.
-[[nodiscard]] inline KdTree kd_tree_at(std::int64_t percent) {
-    return build_kd_tree(terrain().view(), options_at(percent));
-}
-
 /// The terrain's wide tree, ready to be traced.
 [[nodiscard]] inline const WideTracer& wide_tracer() {
     static const WideTracer tracer(build_wide_bvh(terrain().view()));
@@ -46,22 +41,48 @@ namespace coppice::bench {
 /// Runs `query(ray)` for each ray, again and again; items are rays.
 template <typename Query>
 void run_rays(benchmark::State& state, const Query& query) {
+    const std::vector<Ray>& all = rays();
     for ([[maybe_unused]] const auto step : state) {
-        for (const Ray& ray : rays()) {
+        for (const Ray& ray : all) {
             benchmark::DoNotOptimize(query(ray));
         }
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(all.size()));
+}
+
+/// The same of `query(tree, ray)` with the terrain's k-d tree from a sample of range(0) percent.
+template <typename Query>
+void run_rays_kd(benchmark::State& state, const Query& query) {
+    const KdTree tree = build_kd_tree(terrain().view(), options_at(state.range(0)));
+    run_rays(state, [&](const Ray& ray) { return query(tree, ray); });
+}
+
+/// The same of `query(tracer, ray)` with the terrain's wide tree.
+template <typename Query>
+void run_rays_wide(benchmark::State& state, const Query& query) {
+    const WideTracer& tracer = wide_tracer();
+    run_rays(state, [&](const Ray& ray) { return query(tracer, ray); });
+}
+
+/// Runs `query(tracer, threads)`, for all rays at once on range(0) threads; items are rays.
+template <typename Query>
+void run_batch(benchmark::State& state, const Query& query) {
+    const WideTracer& tracer = wide_tracer();
+    for ([[maybe_unused]] const auto step : state) {
+        query(tracer, static_cast<int>(state.range(0)));
+        benchmark::ClobberMemory();
     }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(rays().size()));
 }
 
-/// Runs `query()` for all rays at once; items are rays.
-template <typename Query>
-void run_batch(benchmark::State& state, const Query& query) {
-    for ([[maybe_unused]] const auto step : state) {
-        query();
-        benchmark::ClobberMemory();
-    }
-    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(rays().size()));
+/// What is measured of run_rays_kd().
+inline void on_samples(benchmark::internal::Benchmark* measured) {
+    measured->ArgName("percent")->Arg(1)->Arg(100)->Unit(benchmark::kMillisecond);
+}
+
+/// What is measured of run_batch().
+inline void on_threads(benchmark::internal::Benchmark* measured) {
+    measured->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 }
 
 }  // namespace coppice::bench
