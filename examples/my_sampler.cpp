@@ -33,8 +33,9 @@ double cost_with(const coppice::Sample& sample, coppice::PrimitiveSetView primit
 int main() {
     const coppice::TriangleMesh mesh = coppice::load_mesh("bunny.obj");
     const coppice::TriangleMeshView triangles = mesh.view();
-    const coppice::BuildOptions options{
-        .sample = {.rate = 0.1}, .split = {.max_leaf = 3}, .growth = coppice::Growth::none};
+    const coppice::BuildOptions options{.sample = {.rate = 0.1},
+                                        .split = {.max_leaf = 3},
+                                        .leaf_refinement = coppice::LeafRefinement::none};
     const std::uint32_t count = coppice::sample_count(triangles.size(), options.sample.rate);
 
     const EveryNth every_nth;

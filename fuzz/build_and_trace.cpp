@@ -2,13 +2,13 @@
 // sound, and is hit as brute force finds it, to the bit, on every instruction set.
 
 #include "coppice/base/error.h"
-#include "coppice/build/build_tree.h"
-#include "coppice/build/method.h"
-#include "coppice/build/split_finder.h"
+#include "coppice/builders/build_tree.h"
+#include "coppice/builders/method.h"
+#include "coppice/builders/split_finder.h"
 #include "coppice/geom/point_cloud.h"
 #include "coppice/trace/brute_force.h"
+#include "coppice/trace/bvh8_tracer.h"
 #include "coppice/trace/intersect.h"
-#include "coppice/trace/wide_tracer.h"
 #include "coppice/tree/validate.h"
 
 #include "expect.h"
@@ -63,17 +63,18 @@ BuildOptions take_options(FuzzedDataProvider& data, const Method& method) {
     options.sample.rate = rates[data.ConsumeIntegralInRange<std::size_t>(0, rates.size() - 1)];
     options.sample.sampler = take_entry(data, sampler_registry()).name;
     options.sample.seed = data.ConsumeIntegral<std::uint8_t>();
-    options.wide.sampled_from = 0;
-    options.wide.cell_size = data.ConsumeBool() ? 64 : 0;
+    options.bvh8.sampled_from = 0;
+    options.bvh8.cell_size = data.ConsumeBool() ? 64 : 0;
     options.threads = data.ConsumeIntegralInRange(1, 2);
     if (data.ConsumeBool()) return options;
     options.split.rule = take_entry(data, split_finder_registry()).name;
     options.split.max_leaf = data.ConsumeIntegralInRange<std::uint32_t>(1, 33);
     options.split.max_depth = data.ConsumeIntegralInRange(0, 60);
     options.split.clipping = data.ConsumeBool() ? Clipping::perfect : Clipping::bounding_box;
-    options.split.counting = data.ConsumeBool() ? Counting::sampled : Counting::expected;
-    options.split.stop = data.ConsumeBool() ? Stop::limits : Stop::sah;
-    options.growth = data.ConsumeBool() ? Growth::none : Growth::kd;
+    options.split.sample_weighting =
+        data.ConsumeBool() ? SampleWeighting::sampled : SampleWeighting::expected;
+    options.split.termination = data.ConsumeBool() ? Termination::limits : Termination::sah;
+    options.leaf_refinement = data.ConsumeBool() ? LeafRefinement::none : LeafRefinement::kd;
     return options;
 }
 
@@ -141,7 +142,7 @@ void check_kd(FuzzedDataProvider& data, TriangleMeshView mesh, const BuildOption
 
 /// Eight rays that may be traced together, each against itself alone.
 void check_batch(FuzzedDataProvider& data, TriangleMeshView mesh,
-                 std::span<const WideTracer> tracers) {
+                 std::span<const Bvh8Tracer> tracers) {
     std::array<Ray, 8> rays;
     rays.fill(take_ray(data, mesh));
     const Vec3f aside = 0.01F * take_point(data);
@@ -149,7 +150,7 @@ void check_batch(FuzzedDataProvider& data, TriangleMeshView mesh,
         rays[i].direction = rays[i - 1].direction + aside;
         if (data.ConsumeBool()) rays[i].origin = take_target(data, mesh);
     }
-    for (const WideTracer& tracer : tracers) {
+    for (const Bvh8Tracer& tracer : tracers) {
         std::array<Hit, 8> hits;
         std::array<bool, 8> flags{};
         tracer.intersect(rays, hits);
@@ -162,16 +163,16 @@ void check_batch(FuzzedDataProvider& data, TriangleMeshView mesh,
     }
 }
 
-void check_wide(FuzzedDataProvider& data, TriangleMeshView mesh, const BuildOptions& options) {
-    const WideBvh tree = build_wide_bvh(mesh, options);
-    expect(validate(tree, mesh, 1).empty(), "a sound wide tree");
-    std::vector<WideTracer> tracers;
+void check_bvh8(FuzzedDataProvider& data, TriangleMeshView mesh, const BuildOptions& options) {
+    const Bvh8 tree = build_bvh8(mesh, options);
+    expect(validate(tree, mesh, 1).empty(), "a sound 8-wide tree");
+    std::vector<Bvh8Tracer> tracers;
     for (const Isa isa : available_isas()) {
         tracers.emplace_back(tree, isa);
     }
     for (int i = 0; i < 12; ++i) {
         const Ray any_ray = take_ray(data, mesh);
-        for (const WideTracer& tracer : tracers) {
+        for (const Bvh8Tracer& tracer : tracers) {
             expect_true_hits(
                 mesh, any_ray, [&](const Ray& ray) { return tracer.intersect(ray); },
                 [&](const Ray& ray) { return tracer.occluded(ray); },
@@ -198,18 +199,18 @@ void run(FuzzedDataProvider& data) {
     const BuildOptions options = take_options(data, method);
     TriangleMesh mesh = take_mesh(data);
     const auto build_kd = [&] { return build_kd_tree(mesh.view(), options); };
-    const auto build_wide = [&] { return build_wide_bvh(mesh.view(), options); };
+    const auto build_bvh8 = [&] { return build_bvh8(mesh.view(), options); };
     const bool is_kd = method.tree == TreeKind::kd;
     TriangleMesh finite = mesh;
     const std::uint32_t first_bad = drop_what_is_not_finite(finite);
     if (first_bad < mesh.triangles.size()) {
-        is_kd ? expect_refusal(build_kd, first_bad) : expect_refusal(build_wide, first_bad);
+        is_kd ? expect_refusal(build_kd, first_bad) : expect_refusal(build_bvh8, first_bad);
     }
     if (is_kd) {
         check_kd(data, finite.view(), options);
         check_points(finite.vertices, options);
     } else {
-        check_wide(data, finite.view(), options);
+        check_bvh8(data, finite.view(), options);
     }
 }
 

@@ -5,8 +5,8 @@
 
 #include "coppice/base/error.h"
 #include "coppice/query/mesh_search.h"
+#include "coppice/trace/bvh8_tracer.h"
 #include "coppice/trace/intersect.h"
-#include "coppice/trace/wide_tracer.h"
 #include "coppice/tree/validate.h"
 
 #include "expect.h"
@@ -34,7 +34,7 @@ std::string forged(FuzzedDataProvider& data, std::string body) {
     TreeFileHeader header;
     header.kind = data.ConsumeIntegralInRange<std::uint32_t>(0, 1);
     const bool is_kd = header.kind == TreeFileHeader::kd;
-    header.node_bytes = is_kd ? sizeof(KdNode) : sizeof(WideNode);
+    header.node_bytes = is_kd ? sizeof(KdNode) : sizeof(Bvh8Node);
     header.item_bytes = is_kd ? sizeof(std::uint32_t) : sizeof(TriangleBlock);
     header.node_count = data.ConsumeIntegralInRange<std::uint64_t>(1, 64);
     header.item_count = data.ConsumeIntegralInRange<std::uint64_t>(0, 64);
@@ -78,10 +78,10 @@ void query(const KdTree& tree, TriangleMeshView mesh, const Ray& ray) {
     static_cast<void>(count_hits(tree, mesh, ray));
 }
 
-void query(const WideBvh& tree, TriangleMeshView /*mesh*/, const Ray& ray) {
+void query(const Bvh8& tree, TriangleMeshView /*mesh*/, const Ray& ray) {
     std::array<Hit, 3> hits;
     for (const Isa isa : available_isas()) {
-        const WideTracer tracer(tree, isa);
+        const Bvh8Tracer tracer(tree, isa);
         static_cast<void>(tracer.intersect(ray));
         static_cast<void>(tracer.occluded(ray));
         static_cast<void>(tracer.intersect_all(ray, hits));

@@ -1,6 +1,6 @@
 #include "build_arguments.h"
 
-#include "coppice/build/method.h"
+#include "coppice/builders/method.h"
 #include "coppice/sample/sampler.h"
 
 #include "options.h"
@@ -81,7 +81,7 @@ BuildOptions options_of(const MethodRequest& request) {
     }
     if (request.rate) options.sample.rate = *request.rate;
     if (is_automatic && request.rate == 1.0) {  // which by itself leaves the sample to the preset
-        options.wide.sampled_from = std::numeric_limits<std::uint32_t>::max();
+        options.bvh8.sampled_from = std::numeric_limits<std::uint32_t>::max();
     }
     options.sample.seed = request.seed;
     const auto take = [](double given, double& value) {
@@ -90,7 +90,7 @@ BuildOptions options_of(const MethodRequest& request) {
     take(request.cost.traversal, options.cost.traversal);
     take(request.cost.intersection, options.cost.intersection);
     take(request.cost.empty_bonus, options.cost.empty_bonus);
-    options.wide.expected_rays = request.expected_rays;
+    options.bvh8.expected_rays = request.expected_rays;
     options.threads = request.threads;
     return options;
 }

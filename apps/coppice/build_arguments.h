@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coppice/build/build_options.h"
+#include "coppice/builders/build_options.h"
 
 #include <CLI/CLI.hpp>
 
@@ -35,7 +35,7 @@ struct MethodRequest {
     std::string sampler;
     std::uint64_t seed = 1;
     SahCostModel cost{not_given, not_given, not_given};
-    double expected_rays = WideOptions{}.expected_rays;
+    double expected_rays = Bvh8Options{}.expected_rays;
     int threads = 0;
     std::uint64_t memory_limit_bytes = 0;  ///< 0: none
 };

@@ -1,7 +1,7 @@
 // coppice bench: our methods and Embree in turns, within one process: build times, memory, rays.
 
 #include "coppice/base/named.h"
-#include "coppice/build/method.h"
+#include "coppice/builders/method.h"
 
 #include "build_arguments.h"
 #include "command.h"

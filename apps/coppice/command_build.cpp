@@ -1,9 +1,9 @@
 // coppice build: one tree by one method, the report of how it was built, and the tree as a file.
 
 #include "coppice/base/memory_meter.h"
-#include "coppice/build/build_tree.h"
-#include "coppice/build/estimate.h"
-#include "coppice/build/method.h"
+#include "coppice/builders/build_tree.h"
+#include "coppice/builders/estimate.h"
+#include "coppice/builders/method.h"
 #include "coppice/io/load_mesh.h"
 #include "coppice/store/tree_file.h"
 
@@ -36,22 +36,22 @@ struct BuildRequest {
     bool as_json = false;
 };
 
-Estimate estimate(const Method& method, const BuildOptions& options, const TriangleMesh& mesh,
-                  const std::stop_token& stop) {
+BuildEstimate estimate(const Method& method, const BuildOptions& options, const TriangleMesh& mesh,
+                       const std::stop_token& stop) {
     return method.tree == TreeKind::kd ? estimate_kd_tree(mesh.view(), options, stop)
-                                       : estimate_wide_bvh(mesh.view(), options, stop);
+                                       : estimate_bvh8(mesh.view(), options, stop);
 }
 
 /// Builds, and tells the report what was expected; with a memory limit the library does the latter.
 AnyTree build(const Method& method, const BuildOptions& options, const TriangleMesh& mesh,
               BuildReport& report, const BuildControl& control) {
-    std::optional<Estimate> expected;
+    std::optional<BuildEstimate> expected;
     if (control.memory_limit_bytes == 0) expected = estimate(method, options, mesh, control.stop);
     AnyTree tree;
     if (method.tree == TreeKind::kd) {
         tree = build_kd_tree(mesh.view(), options, &report, control);
     } else {
-        tree = build_wide_bvh(mesh.view(), options, &report, control);
+        tree = build_bvh8(mesh.view(), options, &report, control);
     }
     report.method = method.name;
     if (expected) report.estimate = expected;

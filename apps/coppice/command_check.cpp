@@ -35,7 +35,7 @@ struct CheckRequest {
 struct Checked {
     SavedTree saved;
     double load_seconds = 0.0;
-    std::vector<Finding> findings;
+    std::vector<ValidationIssue> findings;
 };
 
 std::size_t node_count(const AnyTree& tree) {
@@ -53,7 +53,7 @@ std::string check_text(const CheckRequest& request, const Checked& checked) {
         kind_name(saved.tree), node_count(saved.tree), saved.file_bytes, saved.format_version,
         checked.load_seconds, request.scene, saved.primitives.primitive_count,
         checked.findings.empty() ? "sound" : "not sound:");
-    for (const Finding& finding : checked.findings) {
+    for (const ValidationIssue& finding : checked.findings) {
         text += fmt::format("    {}: {}\n", finding_name(finding.kind), finding.message);
     }
     return text;
@@ -70,7 +70,7 @@ std::string check_json(const CheckRequest& request, const Checked& checked) {
     const bool is_kd = std::holds_alternative<KdTree>(saved.tree);
     nlohmann::ordered_json json{{"tree_file", request.tree},
                                 {"scene_file", request.scene},
-                                {"tree", is_kd ? "kd" : "wide"},
+                                {"tree", is_kd ? "kd" : "bvh8"},
                                 {"method", saved.origin.method},
                                 {"format_version", saved.format_version},
                                 {"file_bytes", saved.file_bytes},
@@ -80,7 +80,7 @@ std::string check_json(const CheckRequest& request, const Checked& checked) {
                                 {"sound", checked.findings.empty()},
                                 {"findings", nlohmann::ordered_json::array()}};
     json["options"] = options_json(saved.origin.options);
-    for (const Finding& finding : checked.findings) {
+    for (const ValidationIssue& finding : checked.findings) {
         json["findings"].push_back({{"kind", finding_name(finding.kind)},
                                     {"subject", finding.subject},
                                     {"message", finding.message}});

@@ -31,13 +31,13 @@ struct SceneInfo {
     lab::MeshSummary summary;
 };
 
-std::string oddity_text(const char* what, const Oddity& oddity, const char* places) {
-    if (oddity.count == 0) return {};
-    std::string text = fmt::format("    {:<34} {}", what, oddity.count);
-    if (!oddity.first.empty()) {
-        const bool is_all = oddity.first.size() == oddity.count;
+std::string oddity_text(const char* what, const LoadIssue& issue, const char* places) {
+    if (issue.count == 0) return {};
+    std::string text = fmt::format("    {:<34} {}", what, issue.count);
+    if (!issue.first.empty()) {
+        const bool is_all = issue.first.size() == issue.count;
         text += fmt::format("  ({}{} {})", is_all ? "" : "the first: ", places,
-                            fmt::join(oddity.first, ", "));
+                            fmt::join(issue.first, ", "));
     }
     return text + '\n';
 }
@@ -47,7 +47,7 @@ std::string count_text(const char* what, std::uint64_t count) {
 }
 
 std::string load_report_text(const LoadReport& report) {
-    const std::string oddities =
+    const std::string issues =
         oddity_text("polygons, cut into triangles", report.polygons, "faces") +
         oddity_text("faces of fewer than three corners", report.degenerate_faces, "faces") +
         oddity_text("triangles without area, kept", report.zero_area_triangles, "triangles") +
@@ -57,7 +57,7 @@ std::string load_report_text(const LoadReport& report) {
         count_text("relative (negative) indices", report.negative_index_count) +
         count_text("lines that hold no triangles", report.ignored_line_count) +
         count_text("bytes behind the last row, unread", report.trailing_byte_count);
-    return oddities.empty() ? "  oddities        none\n" : "  oddities\n" + oddities;
+    return issues.empty() ? "  issues        none\n" : "  issues\n" + issues;
 }
 
 /// One line per decade, its bar as long as its share of the fullest decade.

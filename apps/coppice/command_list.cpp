@@ -1,7 +1,7 @@
 // coppice list: the names that options take, from their registries.
 
-#include "coppice/build/method.h"
-#include "coppice/build/split_finder.h"
+#include "coppice/builders/method.h"
+#include "coppice/builders/split_finder.h"
 #include "coppice/sample/sampler.h"
 
 #include "command.h"
@@ -47,7 +47,7 @@ std::vector<Section> all_sections() {
                      lab::peer_registry()),
         make_section("rays", "Rays (coppice trace, experiment; coppice bench: the first three)",
                      lab::ray_kind_registry()),
-        make_section("splits", "Split rules (--split)", split_finder_registry()),
+        make_section("splits", "SplitCandidate rules (--split)", split_finder_registry()),
         make_section("samplers", "Samplers (--sampler, --samplers)", sampler_registry()),
         make_section("procedural_scenes", "Procedural scenes (coppice generate)",
                      lab::procedural_registry())};

@@ -113,7 +113,7 @@ void add_light(CLI::App& parser, RenderRequest& request) {
     };
     parser.add_option_function<std::string>("--sky", read_sky, "Light from where no surface is")
         ->type_name("R,G,B")
-        ->default_str("blue, white at the horizon");
+        ->default_str("blue, white at the top_tree");
     add_whole(parser, {"--max-depth", "N", "Reflections and bounces in a row at most", "8"},
               request.integrator_options.max_depth, 0, 1000);
     add_number(parser, {"--ao-distance", "D", "What is further away does not occlude (ao)", "0.5"},
@@ -202,7 +202,7 @@ std::unique_ptr<render::RayTracer> make_tree(const RenderRequest& request, Trian
     progress.show(report.scene + ": loading its tree");
     const Timer timer;
     SavedTree saved = load_tree(request.tree, fingerprint_of(mesh));
-    report.tree = std::holds_alternative<KdTree>(saved.tree) ? TreeKind::kd : TreeKind::wide;
+    report.tree = std::holds_alternative<KdTree>(saved.tree) ? TreeKind::kd : TreeKind::bvh8;
     report.tree_file = request.tree;
     report.build.method = saved.origin.method;
     auto tracer = render::make_tracer(std::move(saved.tree), mesh);

@@ -1,7 +1,7 @@
 // coppice trace: rays of all kinds against one tree: speed, what a ray visits, and whether every
 // hit is right.
 
-#include "coppice/build/method.h"
+#include "coppice/builders/method.h"
 
 #include "build_arguments.h"
 #include "command.h"

@@ -1,7 +1,7 @@
 // coppice tune: which builder and rate to use for a number of rays, measured on the scene itself.
 
 #include "coppice/base/named.h"
-#include "coppice/build/method.h"
+#include "coppice/builders/method.h"
 
 #include "build_arguments.h"
 #include "command.h"

@@ -1,7 +1,7 @@
 #include "experiment_arguments.h"
 
 #include "coppice/base/named.h"
-#include "coppice/build/split_finder.h"
+#include "coppice/builders/split_finder.h"
 #include "coppice/sample/sampler.h"
 
 #include "build_arguments.h"

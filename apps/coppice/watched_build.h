@@ -1,7 +1,7 @@
 #pragma once
 
-#include "coppice/build/build_control.h"
-#include "coppice/build/build_report.h"
+#include "coppice/builders/build_control.h"
+#include "coppice/builders/build_report.h"
 
 #include "lab/progress_line.h"
 

@@ -15,20 +15,20 @@ void any_hit_kd(benchmark::State& state) {
     });
 }
 
-void any_hit_wide(benchmark::State& state) {
-    run_rays_wide(state,
-                  [](const WideTracer& tracer, const Ray& ray) { return tracer.occluded(ray); });
+void any_hit_bvh8(benchmark::State& state) {
+    run_rays_bvh8(state,
+                  [](const Bvh8Tracer& tracer, const Ray& ray) { return tracer.occluded(ray); });
 }
 
 void any_hit_batch(benchmark::State& state) {
     const auto is_occluded = std::make_unique<bool[]>(rays().size());
-    run_batch(state, [&](const WideTracer& tracer, int threads) {
+    run_batch(state, [&](const Bvh8Tracer& tracer, int threads) {
         tracer.occluded(rays(), {is_occluded.get(), rays().size()}, threads);
     });
 }
 
 BENCHMARK(any_hit_kd)->Apply(on_samples);
-BENCHMARK(any_hit_wide)->Unit(benchmark::kMillisecond);
+BENCHMARK(any_hit_bvh8)->Unit(benchmark::kMillisecond);
 BENCHMARK(any_hit_batch)->Apply(on_threads);
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "coppice/build/build_on_sample.h"
+#include "coppice/builders/build_on_sample.h"
 
 #include "terrain.h"
 

@@ -15,20 +15,20 @@ void count_hits_kd(benchmark::State& state) {
     });
 }
 
-void count_hits_wide(benchmark::State& state) {
-    run_rays_wide(state,
-                  [](const WideTracer& tracer, const Ray& ray) { return tracer.count_hits(ray); });
+void count_hits_bvh8(benchmark::State& state) {
+    run_rays_bvh8(state,
+                  [](const Bvh8Tracer& tracer, const Ray& ray) { return tracer.count_hits(ray); });
 }
 
 void count_hits_batch(benchmark::State& state) {
     std::vector<std::uint64_t> counts(rays().size());
-    run_batch(state, [&](const WideTracer& tracer, int threads) {
+    run_batch(state, [&](const Bvh8Tracer& tracer, int threads) {
         tracer.count_hits(rays(), counts, threads);
     });
 }
 
 BENCHMARK(count_hits_kd)->Apply(on_samples);
-BENCHMARK(count_hits_wide)->Unit(benchmark::kMillisecond);
+BENCHMARK(count_hits_bvh8)->Unit(benchmark::kMillisecond);
 BENCHMARK(count_hits_batch)->Apply(on_threads);
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "coppice/build/draw_sample.h"
+#include "coppice/builders/draw_sample.h"
 
 #include "terrain.h"
 

@@ -1,4 +1,4 @@
-#include "coppice/build/empty_leaves.h"
+#include "coppice/builders/empty_leaves.h"
 
 #include "terrain.h"
 

@@ -1,5 +1,5 @@
-#include "coppice/build/build_tree.h"
-#include "coppice/build/method.h"
+#include "coppice/builders/build_tree.h"
+#include "coppice/builders/method.h"
 
 #include "terrain.h"
 

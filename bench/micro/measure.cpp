@@ -1,6 +1,6 @@
 #include "coppice/cost/measure.h"
 
-#include "coppice/build/build_tree.h"
+#include "coppice/builders/build_tree.h"
 
 #include "terrain.h"
 

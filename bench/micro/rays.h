@@ -1,8 +1,8 @@
 #pragma once
 
-#include "coppice/build/build_tree.h"
+#include "coppice/builders/build_tree.h"
 #include "coppice/geom/ray.h"
-#include "coppice/trace/wide_tracer.h"
+#include "coppice/trace/bvh8_tracer.h"
 
 #include "terrain.h"
 
@@ -32,9 +32,9 @@ namespace coppice::bench {
     return made;
 }
 
-/// The terrain's wide tree, ready to be traced.
-[[nodiscard]] inline const WideTracer& wide_tracer() {
-    static const WideTracer tracer(build_wide_bvh(terrain().view()));
+/// The terrain's 8-wide tree, ready to be traced.
+[[nodiscard]] inline const Bvh8Tracer& bvh8_tracer() {
+    static const Bvh8Tracer tracer(build_bvh8(terrain().view()));
     return tracer;
 }
 
@@ -57,17 +57,17 @@ void run_rays_kd(benchmark::State& state, const Query& query) {
     run_rays(state, [&](const Ray& ray) { return query(tree, ray); });
 }
 
-/// The same of `query(tracer, ray)` with the terrain's wide tree.
+/// The same of `query(tracer, ray)` with the terrain's 8-wide tree.
 template <typename Query>
-void run_rays_wide(benchmark::State& state, const Query& query) {
-    const WideTracer& tracer = wide_tracer();
+void run_rays_bvh8(benchmark::State& state, const Query& query) {
+    const Bvh8Tracer& tracer = bvh8_tracer();
     run_rays(state, [&](const Ray& ray) { return query(tracer, ray); });
 }
 
 /// Runs `query(tracer, threads)`, for all rays at once on range(0) threads; items are rays.
 template <typename Query>
 void run_batch(benchmark::State& state, const Query& query) {
-    const WideTracer& tracer = wide_tracer();
+    const Bvh8Tracer& tracer = bvh8_tracer();
     for ([[maybe_unused]] const auto step : state) {
         query(tracer, static_cast<int>(state.range(0)));
         benchmark::ClobberMemory();

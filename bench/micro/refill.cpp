@@ -1,4 +1,4 @@
-#include "coppice/build/refill.h"
+#include "coppice/builders/refill.h"
 
 #include "terrain.h"
 

@@ -1,4 +1,4 @@
-#include "coppice/build/refine.h"
+#include "coppice/builders/refine.h"
 
 #include "terrain.h"
 

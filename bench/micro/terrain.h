@@ -1,10 +1,10 @@
 #pragma once
 
 #include "coppice/base/rng.h"
-#include "coppice/build/build_on_sample.h"
-#include "coppice/build/draw_sample.h"
-#include "coppice/build/empty_leaves.h"
-#include "coppice/build/refill.h"
+#include "coppice/builders/build_on_sample.h"
+#include "coppice/builders/draw_sample.h"
+#include "coppice/builders/empty_leaves.h"
+#include "coppice/builders/refill.h"
 #include "coppice/geom/triangle_mesh.h"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 void require_room(std::string_view query, std::size_t count, std::size_t room) {
     if (count == room) return;
@@ -31,4 +31,4 @@ void run_query_ranges(std::size_t count, int threads,
     }
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string_view>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// Throws Error(invalid_argument) naming the `query` unless there is room for one result a query.
 void require_room(std::string_view query, std::size_t count, std::size_t room);
@@ -31,4 +31,4 @@ void for_each_query(std::size_t count, int threads, const Body& body) {
     });
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -9,7 +9,7 @@
 #include <sys/mman.h>
 #endif
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 constexpr std::size_t cache_line = 64;
@@ -54,4 +54,4 @@ void BigBuffer::Free::operator()(std::byte* bytes) const noexcept {
     std::free(bytes);
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

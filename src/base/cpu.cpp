@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 constexpr std::array all_isas{Isa::scalar, Isa::sse42, Isa::avx2, Isa::avx512};
@@ -73,4 +73,4 @@ Isa choose_isa() {
         fmt::format("COPPICE_ISA is '{}'; this processor has: {}", wanted, fmt::join(names, ", ")));
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

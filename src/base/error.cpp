@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 std::string_view error_code_name(ErrorCode code) noexcept {
     switch (code) {
@@ -36,4 +36,4 @@ Error file_error(ErrorCode code, std::string_view file, std::size_t line,
     return {code, fmt::format("{}:{}: {}", file, line, message)};
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -4,7 +4,7 @@
 #include <sanitizer/tsan_interface.h>
 #endif
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// What oneTBB guarantees, for the thread sanitizer, which does not see into its library: all that
 /// was done before a fork happens before its tasks, and all that its tasks did before those who
@@ -51,4 +51,4 @@ private:
     char join_ = 0;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

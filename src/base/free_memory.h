@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// Gives back what an array has allocated, which clear() and `array = {}` both keep.
 template <typename T>
@@ -10,4 +10,4 @@ void free_memory(std::vector<T>& array) noexcept {
     std::vector<T>().swap(array);
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 // Not from getrusage(): its figure is at least that of the program that started this one.
 std::uint64_t process_peak_bytes() noexcept {
@@ -16,4 +16,4 @@ std::uint64_t process_peak_bytes() noexcept {
     return 1024 * std::uint64_t{kibibytes};
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -6,7 +6,7 @@
 #include <new>
 #include <string>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// Runs work at a door of the library: what lacks memory becomes Error(out_of_memory), whose
 /// message begins with `what`, a text or the path of a file. Should there be none even for that, it
@@ -21,4 +21,4 @@ decltype(auto) with_memory_errors(const What& what, Work&& work) {
     }
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

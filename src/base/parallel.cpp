@@ -19,7 +19,7 @@
 
 #include <algorithm>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 Error stopped() {
@@ -60,11 +60,11 @@ void run_with_threads(int thread_count, const std::function<void()>& work,
     }
 }
 
-void throw_if_stopped() {
+void throw_if_cancelled() {
     if (tbb::is_current_task_group_canceling()) throw stopped();
 }
 
-// Contexts are made before the ForkJoin: tasks look into them (throw_if_stopped()).
+// Contexts are made before the ForkJoin: tasks look into them (throw_if_cancelled()).
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second) {
     tbb::task_group_context context;
     ForkJoin both;
@@ -73,7 +73,7 @@ void parallel_invoke(const std::function<void()>& first, const std::function<voi
         work();
     };
     tbb::parallel_invoke([&] { run(first); }, [&] { run(second); }, context);
-    throw_if_stopped();
+    throw_if_cancelled();
 }
 
 void parallel_for_chunks(std::size_t count, std::size_t chunk_size,
@@ -87,7 +87,7 @@ void parallel_for_chunks(std::size_t count, std::size_t chunk_size,
         body(begin, std::min(begin + chunk_size, count));
     };
     tbb::parallel_for(std::size_t{0}, chunk_count, run, context);
-    throw_if_stopped();
+    throw_if_cancelled();
 }
 
 void parallel_sort(std::span<std::uint64_t> values) {
@@ -96,8 +96,8 @@ void parallel_sort(std::span<std::uint64_t> values) {
         std::sort(values.begin(), values.end());
     } else {
         tbb::parallel_sort(values.begin(), values.end());
-        throw_if_stopped();
+        throw_if_cancelled();
     }
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 std::size_t row_length(std::string_view query, std::size_t count, std::size_t room) {
     if (count == 0 ? room != 0 : room % count != 0) {
@@ -15,4 +15,4 @@ std::size_t row_length(std::string_view query, std::size_t count, std::size_t ro
     return count == 0 ? 0 : room / count;
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -8,7 +8,7 @@
 #include <span>
 #include <string_view>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// The length of the rows that `room` results for `count` queries make. Throws
 /// Error(invalid_argument) naming the `query` if the room cannot be divided evenly.
@@ -48,4 +48,4 @@ void write_rows(std::string_view query, std::span<Found> found, std::span<std::u
     });
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -2,7 +2,7 @@
 
 #include <ctime>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 double process_cpu_seconds() noexcept {
     timespec time{};
@@ -10,4 +10,4 @@ double process_cpu_seconds() noexcept {
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

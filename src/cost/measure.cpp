@@ -11,7 +11,7 @@
 
 #include <utility>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 // What is below a binary node of this depth takes no time to speak of.
@@ -31,7 +31,7 @@ public:
 private:
     // Returns the node's cost, given that a ray meets it.
     double visit(const VisitedNode& at, double probability) {
-        if (at.depth <= depth_of_looks) throw_if_stopped();
+        if (at.depth <= depth_of_looks) throw_if_cancelled();
         const KdNode& node = tree_.nodes()[at.index];
         if (node.is_leaf()) {
             const std::uint32_t count = node.reference_count();
@@ -56,9 +56,9 @@ private:
     StatisticsSum sum_;
 };
 
-class WideMeasurement {
+class Bvh8Measurement {
 public:
-    WideMeasurement(const WideBvh& tree, const SahCostModel& model)
+    Bvh8Measurement(const Bvh8& tree, const SahCostModel& model)
         : tree_(tree), model_(model), root_area_(tree.bounds().surface_area()) {}
 
     TreeStatistics run() && {
@@ -68,11 +68,11 @@ public:
 
 private:
     void visit(std::uint32_t index, double probability, int depth) {
-        if (depth <= depth_of_looks / 3) throw_if_stopped();
+        if (depth <= depth_of_looks / 3) throw_if_cancelled();
         sum_.add_inner(depth, probability, model_.traversal);
-        const WideNode& node = tree_.nodes()[index];
-        for (std::size_t slot = 0; slot < wide_width; ++slot) {
-            const WideChild child = node.child[slot];
+        const Bvh8Node& node = tree_.nodes()[index];
+        for (std::size_t slot = 0; slot < bvh8_width; ++slot) {
+            const Bvh8Child child = node.child[slot];
             if (child.is_empty()) continue;
             const double area = node.child_box(slot).surface_area();
             const double p = root_area_ > 0.0 ? area / root_area_ : 0.0;
@@ -84,7 +84,7 @@ private:
         }
     }
 
-    void visit_leaf(WideChild leaf, double probability, int depth) {
+    void visit_leaf(Bvh8Child leaf, double probability, int depth) {
         std::uint64_t count = 0;
         for (const TriangleBlock& block :
              tree_.blocks().subspan(leaf.first_block(), leaf.block_count())) {
@@ -96,7 +96,7 @@ private:
         sum_.add_leaf(depth, probability, count, blocks, model_.leaf_cost(blocks));
     }
 
-    const WideBvh& tree_;
+    const Bvh8& tree_;
     const SahCostModel& model_;
     double root_area_;
     StatisticsSum sum_;
@@ -108,8 +108,8 @@ TreeStatistics measure(const KdTree& tree, const SahCostModel& model) {
     return KdMeasurement(tree, model).run();
 }
 
-TreeStatistics measure(const WideBvh& tree, const SahCostModel& model) {
-    return WideMeasurement(tree, model).run();
+TreeStatistics measure(const Bvh8& tree, const SahCostModel& model) {
+    return Bvh8Measurement(tree, model).run();
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 void check(const SahCostModel& model) {
     const auto require = [](bool holds, const char* name, double value, const char* range) {
@@ -29,4 +29,4 @@ void to_json(nlohmann::json& json, const SahCostModel& model) {
             {"empty_bonus", model.empty_bonus}};
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 void StatisticsSum::add_inner(int depth, double probability, double cost) {
     ++statistics_.inner_count;
@@ -48,4 +48,4 @@ void StatisticsSum::add_cost(int depth, double cost) {
     statistics_.cost_share_by_depth[level] += cost;
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// Adds up a tree's statistics node by node.
 class StatisticsSum {
@@ -25,4 +25,4 @@ private:
     TreeStatistics statistics_;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

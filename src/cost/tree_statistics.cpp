@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 void to_json(nlohmann::json& json, const TreeStatistics& statistics) {
     json = {{"node_count", statistics.node_count},
@@ -21,4 +21,4 @@ void to_json(nlohmann::json& json, const TreeStatistics& statistics) {
             {"cost_share_by_depth", statistics.cost_share_by_depth}};
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -11,7 +11,7 @@
 #include <array>
 #include <tuple>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 // A candidate, relative to the point in question.
@@ -106,4 +106,4 @@ ClosestPoint closest_point(const Triangle& triangle, Vec3f to) noexcept {
             static_cast<float>(best.weights[1]), static_cast<float>(best.weights[2]), best.feature};
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -11,9 +11,9 @@
 
 #include "coppice/geom/triangle.h"
 
-#include "geom/edge_volume.h"
+#include "geom/double_double.h"
+#include "geom/edge_function.h"
 #include "geom/triangle_error.h"
-#include "geom/twofold.h"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@
 #include <limits>
 #include <utility>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 double edge_function(Vec3d a, Vec3d b) noexcept {
@@ -49,10 +49,11 @@ std::size_t nearest_corner(Vec3d point, const Triangle& triangle) noexcept {
 double distance_to_plane(Vec3d origin, Vec3d direction, const Triangle& triangle) noexcept {
     const std::size_t nearest = nearest_corner(origin, triangle);
     const Vec3d a = to_double(triangle[nearest]);
-    const Vec3<Twofold> normal = cross(exact_difference(to_double(triangle[(nearest + 1) % 3]), a),
-                                       exact_difference(to_double(triangle[(nearest + 2) % 3]), a));
-    const Twofold to_plane = dot(exact_difference(a, origin), normal);
-    const Twofold approach = dot(exact_difference(direction, {}), normal);
+    const Vec3<DoubleDouble> normal =
+        cross(exact_difference(to_double(triangle[(nearest + 1) % 3]), a),
+              exact_difference(to_double(triangle[(nearest + 2) % 3]), a));
+    const DoubleDouble to_plane = dot(exact_difference(a, origin), normal);
+    const DoubleDouble approach = dot(exact_difference(direction, {}), normal);
     return to_plane.high / approach.high;
 }
 
@@ -82,7 +83,8 @@ Vec3d TriangleTest::to_frame(Vec3f corner) const noexcept {
 
 TriangleTest::Weights TriangleTest::precise_weights(const Triangle& triangle) const noexcept {
     const auto weight = [&](std::size_t from, std::size_t to) {
-        return edge_volume(origin_, direction_, to_double(triangle[from]), to_double(triangle[to]));
+        return edge_function(origin_, direction_, to_double(triangle[from]),
+                             to_double(triangle[to]));
     };
     return {scale_z_ * weight(2, 1), scale_z_ * weight(0, 2), scale_z_ * weight(1, 0)};
 }
@@ -128,4 +130,4 @@ std::optional<Hit> intersect_triangle(const Ray& ray, const Triangle& triangle) 
     return TriangleTest(ray)(triangle, ray.t_max);
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

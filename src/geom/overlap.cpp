@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 using Corners = std::array<Vec3d, 3>;  // relative to the box's center
@@ -70,4 +70,4 @@ bool overlaps(const Triangle& triangle, const Aabb& box) noexcept {
     return true;
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <tuple>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 void remove_duplicates(std::vector<Vec3f>& points) {
@@ -42,4 +42,4 @@ std::vector<Vec3f> shuffled_distinct_points(std::span<const Vec3f> points, std::
     return distinct;
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

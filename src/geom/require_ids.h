@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// Throws Error(limit) if there are more things than ids of 32 bits; the last id is for none.
 inline void require_ids(std::size_t count, const char* things) {
@@ -17,4 +17,4 @@ inline void require_ids(std::size_t count, const char* things) {
                 fmt::format("{} {} are too many; at most {} are possible", count, things, most));
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

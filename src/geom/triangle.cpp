@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 using Corner = std::array<double, 3>;
@@ -187,4 +187,4 @@ Aabb clipped_triangle_bounds(const Triangle& triangle, const Aabb& box) noexcept
     return clipper.polygon().count == 0 ? Aabb{} : rounded_bounds(clipper.polygon(), error, limits);
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// Of a triangle in the frame of a ray (TriangleTest): the most of any corner across and along it.
 struct FrameExtent {
@@ -26,4 +26,4 @@ struct FrameExtent {
            extent.depth <= 0x1.0p20 * std::abs(mean_z);
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -2,7 +2,7 @@
 
 #include "geom/require_ids.h"
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 TriangleMeshView::TriangleMeshView(std::span<const Vec3f> vertices,
                                    std::span<const TriangleIndices> triangles)
@@ -18,4 +18,4 @@ Aabb bounds_of(std::span<const Vec3f> points) noexcept {
     return box;
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

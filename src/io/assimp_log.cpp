@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 namespace {
 
@@ -80,4 +80,4 @@ std::string one_line(std::string_view message) {
     return line.substr(0, longest);
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

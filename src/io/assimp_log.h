@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// Collects the warnings and errors that Assimp logs in its lifetime. Some of its importers drop
 /// or bend faces with bad indices and say so nowhere else. The log is one for the whole process,
@@ -47,4 +47,4 @@ private:
 /// A message of Assimp's as one line of text.
 [[nodiscard]] std::string one_line(std::string_view message);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

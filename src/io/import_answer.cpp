@@ -8,12 +8,12 @@
 #include <cstdint>
 #include <span>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 // Found by their arguments; each for both directions: `value` is const when it is written.
 
 template <typename Archive, typename Value>
-requires std::same_as<std::remove_const_t<Value>, Oddity>
+requires std::same_as<std::remove_const_t<Value>, LoadIssue>
 
 void exchange(Archive& archive, Value& value) {
     archive(value.count, value.first);
@@ -102,4 +102,4 @@ ImportAnswer import_answer_from(std::string_view bytes, std::string_view file) {
     return answer;
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// What the process that imports a file says to the one that asked: a mesh, or an error and
 /// what there was of a mesh before.
@@ -30,4 +30,4 @@ struct ImportAnswer {
 /// Error(parse) naming `file` if any of its indices leads nowhere.
 [[nodiscard]] ImportAnswer import_answer_from(std::string_view bytes, std::string_view file);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <system_error>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 std::uint64_t regular_file_bytes(const std::filesystem::path& file) {
     const std::string name = file.string();
@@ -127,4 +127,4 @@ std::uint64_t InputFile::count_trailing_text() {
     return count;
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

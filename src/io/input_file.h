@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// The size of a file that is fit to be read. Throws Error: there is no such file, or it is no
 /// regular file (a device or a pipe may never end), or it is empty.
@@ -80,4 +80,4 @@ private:
     bool is_exhausted_ = false;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

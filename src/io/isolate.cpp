@@ -25,7 +25,7 @@
 #include <cstring>
 #include <string_view>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 namespace {
 
@@ -153,4 +153,4 @@ IsolatedResult run_isolated(const std::function<std::string()>& work,
     return result;
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

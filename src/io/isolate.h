@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// What work in a process of its own may take.
 struct IsolationLimits {
@@ -25,4 +25,4 @@ struct IsolatedResult {
 [[nodiscard]] IsolatedResult run_isolated(const std::function<std::string()>& work,
                                           const IsolationLimits& limits);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

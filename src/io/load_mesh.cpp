@@ -5,7 +5,7 @@
 #include "coppice/io/mesh_attributes.h"
 
 #include "base/out_of_memory.h"
-#include "io/count_oddities.h"
+#include "io/count_load_issues.h"
 #include "io/input_file.h"
 #include "io/load_obj.h"
 #include "io/load_off.h"
@@ -21,7 +21,7 @@
 #include <string_view>
 #include <utility>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 namespace {
 
@@ -87,11 +87,11 @@ TriangleMesh load_mesh(const std::filesystem::path& file, LoadReport* report,
             report->file_bytes = file_bytes;
             report->vertex_count = loaded.mesh.vertices.size();
             report->triangle_count = loaded.mesh.triangles.size();
-            count_oddities(loaded.mesh.view(), *report);
+            count_load_issues(loaded.mesh.view(), *report);
             report->load_seconds = timer.seconds();
         }
         return std::move(loaded.mesh);
     });
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -14,7 +14,7 @@
 #include <optional>
 #include <string_view>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 namespace {
 
@@ -88,4 +88,4 @@ std::vector<Material> load_mtl(const std::filesystem::path& file,
     return materials;
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

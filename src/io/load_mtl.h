@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// The materials of an MTL file in its order: newmtl, Kd, Ks, Ke, Ns and illum; other statements
 /// are passed over. A value that cannot be read keeps its default and adds a line to `warnings`, as
@@ -14,4 +14,4 @@ namespace coppice {
 [[nodiscard]] std::vector<Material> load_mtl(const std::filesystem::path& file,
                                              std::vector<std::string>& warnings);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

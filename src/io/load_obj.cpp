@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 namespace {
 
@@ -72,4 +72,4 @@ LoadedMesh load_obj(const std::filesystem::path& file, MeshAttributes* attribute
     return std::move(reading.loaded);
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

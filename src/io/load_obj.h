@@ -6,11 +6,11 @@
 
 #include <filesystem>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// Reads the vertices and faces of an OBJ file, plain or gzipped, through tinyobjloader. A face
 /// may come before its vertices.
 [[nodiscard]] LoadedMesh load_obj(const std::filesystem::path& file,
                                   MeshAttributes* attributes = nullptr);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

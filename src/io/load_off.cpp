@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 namespace {
 
@@ -130,4 +130,4 @@ LoadedMesh load_off(const std::filesystem::path& file) {
     return loaded;
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -4,10 +4,10 @@
 
 #include <filesystem>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// Reads an OFF file as text: OFF and its kinds with normals, colours or texture coordinates
 /// (NOFF, COFF, STOFF ...), which are passed over. A vertex or face is a line.
 [[nodiscard]] LoadedMesh load_off(const std::filesystem::path& file);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

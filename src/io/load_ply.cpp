@@ -19,7 +19,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 namespace {
 
@@ -267,4 +267,4 @@ LoadedMesh load_ply(const std::filesystem::path& file, MeshAttributes* attribute
     return loaded;
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

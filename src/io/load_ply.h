@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// Reads a PLY file, ASCII or binary of either byte order, plain or gzipped: the elements
 /// `vertex`, `face` and `tristrips`, with properties in any order and of any type; other elements
@@ -14,4 +14,4 @@ namespace coppice {
 [[nodiscard]] LoadedMesh load_ply(const std::filesystem::path& file,
                                   MeshAttributes* attributes = nullptr);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -2,17 +2,17 @@
 
 #include <nlohmann/json.hpp>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
-void Oddity::add(std::uint64_t place) {
+void LoadIssue::add(std::uint64_t place) {
     ++count;
     if (first.size() < kept_places) {
         first.push_back(place);
     }
 }
 
-void to_json(nlohmann::json& json, const Oddity& oddity) {
-    json = {{"count", oddity.count}, {"first", oddity.first}};
+void to_json(nlohmann::json& json, const LoadIssue& issue) {
+    json = {{"count", issue.count}, {"first", issue.first}};
 }
 
 void to_json(nlohmann::json& json, const LoadReport& report) {
@@ -39,4 +39,4 @@ void to_json(nlohmann::json& json, const LoadReport& report) {
     };
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

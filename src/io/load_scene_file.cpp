@@ -25,7 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 namespace {
 
@@ -218,4 +218,4 @@ LoadedMesh load_scene_file(const std::filesystem::path& file, MeshAttributes* at
     return std::move(answer.loaded);
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// True if Assimp reads files whose name ends in `extension`, given with its dot.
 [[nodiscard]] bool is_scene_file_extension(const std::string& extension);
@@ -16,4 +16,4 @@ namespace coppice {
 [[nodiscard]] LoadedMesh load_scene_file(const std::filesystem::path& file,
                                          MeshAttributes* attributes = nullptr);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

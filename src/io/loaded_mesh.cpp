@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 namespace {
 
@@ -50,4 +50,4 @@ void check_has_triangles(const LoadedMesh& loaded) {
         loaded.report.face_count == 0 ? "no faces" : "no faces of three or more corners");
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// What every reader fills: a mesh, and the report on it.
 struct LoadedMesh {
@@ -24,4 +24,4 @@ void add_face(LoadedMesh& loaded, std::span<const std::uint32_t> corners);
 /// Throws Error(parse) if no face gave a triangle.
 void check_has_triangles(const LoadedMesh& loaded);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 // What one process tells another, both of this program: values one after the other, each vector
 // and string behind its length. A type with a function `exchange(archive, value)` that calls
@@ -114,4 +114,4 @@ private:
     std::string_view rest_;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <system_error>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 namespace {
 
@@ -82,4 +82,4 @@ void NewFile::fail(int error_number) const {
                      fmt::format("cannot write: {}", std::strerror(error_number)));
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// A file while it is being written: under a temporary name in the folder of its final one, so
 /// that the last step is a rename within a file system, all or nothing.
@@ -44,4 +44,4 @@ private:
     std::FILE* stream_ = nullptr;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

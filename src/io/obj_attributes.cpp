@@ -15,7 +15,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 namespace {
 
@@ -161,4 +161,4 @@ void ObjAttributes::warn(std::string message) {
     attributes_.warnings.push_back(std::move(message));
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// Collects what an OBJ file says beside its geometry: normals (vn) and materials (mtllib, usemtl).
 class ObjAttributes {
@@ -45,4 +45,4 @@ private:
     std::uint64_t malformed_normal_count_ = 0;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -9,7 +9,7 @@
 #include <optional>
 #include <system_error>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 namespace {
 
@@ -154,4 +154,4 @@ void ObjStatements::check_forward_references() const {
     }
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

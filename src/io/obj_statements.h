@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// The vertex and face statements of an OBJ file, as a stream for tinyobjloader.
 ///
@@ -65,4 +65,4 @@ private:
     std::vector<ForwardReference> forward_references_;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 void AsciiPlyBody::begin_row(const PlyElement& element, std::uint64_t row) {
     do {
@@ -99,4 +99,4 @@ void BinaryPlyBody::fail_truncated() const {
                                  file_.offset(), row_, element_->count, in_quotes(element_->name)));
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// The numbers of an ASCII PLY file, in the order of the file: a row is a line. Has the same
 /// members as BinaryPlyBody. Throws Error(parse) naming the line.
@@ -119,4 +119,4 @@ private:
     std::uint64_t row_ = 0;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -8,7 +8,7 @@
 #include <array>
 #include <utility>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 namespace {
 
@@ -184,4 +184,4 @@ PlyHeader read_ply_header(InputFile& file) {
     TextPlace{file.name(), file.line_number()}.fail("PLY header without an end");
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

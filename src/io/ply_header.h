@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 enum class PlyFormat : std::uint8_t { ascii, binary_little_endian, binary_big_endian };
 
@@ -53,4 +53,4 @@ struct PlyHeader {
 /// Reads from the start of the file to the end of the header. Throws Error(parse).
 [[nodiscard]] PlyHeader read_ply_header(InputFile& file);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -17,7 +17,7 @@
 #include <limits>
 #include <string>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 namespace {
 
@@ -133,4 +133,4 @@ void save_mesh(TriangleMeshView mesh, const std::filesystem::path& file) {
     });
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -11,7 +11,7 @@
 #include <limits>
 #include <system_error>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 namespace {
 
@@ -101,4 +101,4 @@ float parse_coordinate(std::string_view word, const TextPlace& place) {
     return *value;
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

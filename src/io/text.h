@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// A line of a text file, for the errors in it.
 struct TextPlace {
@@ -58,4 +58,4 @@ struct TextPlace {
 /// The coordinate that `word` spells; fails at `place` unless it is a finite float.
 [[nodiscard]] float parse_coordinate(std::string_view word, const TextPlace& place);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -8,7 +8,7 @@
 #include <system_error>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 namespace {
 
@@ -57,4 +57,4 @@ void write_files(std::span<const FileContents> files) {
     }
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

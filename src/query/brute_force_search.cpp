@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 template <typename Found>
@@ -57,4 +57,4 @@ std::vector<std::uint32_t> brute_force_overlapping(PointCloudView points, const 
     return found;
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

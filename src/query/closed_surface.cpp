@@ -17,7 +17,7 @@
 #include <cmath>
 #include <tuple>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 constexpr std::uint32_t none = 0xffffffff;
@@ -219,4 +219,4 @@ bool ClosedSurface::is_inside(Vec3f point, const SurfaceNeighbor& nearest) const
     return outward_ * dot(normal, to_double(point) - corner(id, at)) < 0.0;
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// What is needed of a closed mesh to tell inside from outside: its corners, welded by position,
 /// with their pseudonormals, and which triangle is across each edge.
@@ -40,4 +40,4 @@ private:
     double outward_ = 1.0;                 // -1 if the mesh is inside out
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -2,7 +2,7 @@
 
 #include "coppice/geom/vec3.h"
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// The square of the distance of two points, the same to the bit wherever it is computed: of
 /// differences that grow it grows, too, whatever the rounding.
@@ -11,4 +11,4 @@ namespace coppice {
     return dot(between, between);
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -2,7 +2,7 @@
 
 #include "coppice/geom/vec3.h"
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// What a query near a point does for a point that is not finite, or a distance that is negative
 /// or NaN: nothing.
@@ -15,4 +15,4 @@ namespace coppice {
     return static_cast<double>(distance) * static_cast<double>(distance);
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

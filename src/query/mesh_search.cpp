@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 using Bits = std::vector<std::uint64_t>;
@@ -24,7 +24,7 @@ bool test_and_set(Bits& bits, std::uint32_t at) {
 }
 
 // Triangles that are in more than one leaf; empty if there are none.
-Bits find_repeated(const WideBvh& tree) {
+Bits find_repeated(const Bvh8& tree) {
     Bits seen;
     Bits repeated;
     for (const TriangleBlock& block : tree.blocks()) {
@@ -39,9 +39,9 @@ Bits find_repeated(const WideBvh& tree) {
 
 }  // namespace
 
-MeshSearch::MeshSearch(WideBvh tree) : MeshSearch(std::move(tree), choose_isa()) {}
+MeshSearch::MeshSearch(Bvh8 tree) : MeshSearch(std::move(tree), choose_isa()) {}
 
-MeshSearch::MeshSearch(WideBvh tree, Isa isa)
+MeshSearch::MeshSearch(Bvh8 tree, Isa isa)
     : tree_(std::move(tree)),
       repeated_(with_memory_errors(
           "the search", [&] { return std::make_shared<const Bits>(find_repeated(tree_)); })),
@@ -106,4 +106,4 @@ void MeshSearch::overlapping(std::span<const Aabb> boxes, std::span<std::uint32_
                });
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// The nearest of what is offered, as many as a span has room for: a heap in that span with the
 /// last of them on top.
@@ -72,4 +72,4 @@ private:
     std::size_t size_ = 0;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -11,7 +11,7 @@
 
 #include <utility>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 std::size_t row_of(std::size_t reference_count) noexcept {
@@ -114,4 +114,4 @@ void PointSearch::overlapping(std::span<const Aabb> boxes, std::span<std::uint32
                });
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

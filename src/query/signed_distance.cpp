@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 SignedDistance::SignedDistance(TriangleMeshView mesh, MeshSearch search)
     : search_(std::move(search)), surface_(with_memory_errors("the signed distance", [&] {
@@ -31,4 +31,4 @@ void SignedDistance::distances(std::span<const Vec3f> points, std::span<double> 
                    [&](std::size_t i) { found[i] = nearest(points[i]).signed_distance; });
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 // About so many primitives share a bucket, and so many draws of 1 % then fall into each.
@@ -202,4 +202,4 @@ Sample EquidistantSampler::draw(PrimitiveSetView primitives, std::uint32_t count
     return sample;
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

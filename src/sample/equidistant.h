@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <span>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// The probability that a primitive is drawn, from the diagonal of its box: a line, cut off at 1.
 struct InclusionProbability {
@@ -31,4 +31,4 @@ private:
                                                       const SampleOptions& options) const = 0;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -12,7 +12,7 @@
 #include <array>
 #include <cmath>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 std::span<const SamplerEntry> sampler_registry() {
     static const UniformSampler uniform;
@@ -43,4 +43,4 @@ std::uint32_t sample_count(std::uint32_t count, double rate) {
     return std::clamp<std::uint32_t>(rounded, std::min(count, 1U), count);
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

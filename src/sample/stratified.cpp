@@ -3,7 +3,7 @@
 
 #include "sample/stratified.h"
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 InclusionProbability StratifiedSampler::choose(std::span<const float> diagonals,
                                                std::uint32_t count,
@@ -11,4 +11,4 @@ InclusionProbability StratifiedSampler::choose(std::span<const float> diagonals,
     return {static_cast<double>(count) / static_cast<double>(diagonals.size()), 0.0};
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -2,7 +2,7 @@
 
 #include "sample/equidistant.h"
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// Every primitive with the same probability, one from each stretch of a Morton curve.
 class StratifiedSampler final : public EquidistantSampler {
@@ -10,4 +10,4 @@ class StratifiedSampler final : public EquidistantSampler {
                                               const SampleOptions& options) const override;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -13,7 +13,7 @@
 #include <limits>
 #include <utility>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 struct KeyedId {
@@ -67,4 +67,4 @@ Sample UniformSampler::draw(PrimitiveSetView primitives, std::uint32_t count,
     return {std::move(ids), {}, options};
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -2,7 +2,7 @@
 
 #include "coppice/sample/sampler.h"
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// Every primitive with the same probability, without replacement.
 class UniformSampler final : public Sampler {
@@ -11,4 +11,4 @@ public:
                               const SampleOptions& options) const override;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 // The clamped set only grows, and does so by ever less.
@@ -49,4 +49,4 @@ InclusionProbability WeightedSampler::choose(std::span<const float> diagonals, s
     return {factor * at_zero, factor * slope};
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -2,7 +2,7 @@
 
 #include "sample/equidistant.h"
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// Large primitives with greater probability, one from each stretch of a Morton curve.
 class WeightedSampler final : public EquidistantSampler {
@@ -10,4 +10,4 @@ class WeightedSampler final : public EquidistantSampler {
                                               const SampleOptions& options) const override;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -1,11 +1,11 @@
 #include "coppice/scene/point_scene.h"
 
-#include "coppice/build/build_tree.h"
+#include "coppice/builders/build_tree.h"
 
 #include <algorithm>
 #include <utility>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 constexpr std::uint32_t crowded_leaf = 2048;  // points; most leaves have about 32
@@ -32,7 +32,7 @@ BuildOptions PointScene::search_options() {
                       .max_depth = KdTree::max_depth,
                       .max_leaf = 1,
                       .bad_refines = KdTree::max_depth + 1},  // split at any price
-            .growth = Growth::none};
+            .leaf_refinement = LeafRefinement::none};
 }
 
 PointScene::PointScene(std::vector<Vec3f> points)
@@ -43,4 +43,4 @@ PointScene::PointScene(std::vector<Vec3f> points, const BuildOptions& options)
     : points_(std::move(points)),
       search_(build_kd_tree(PointCloudView(points_), options, &report_), PointCloudView(points_)) {}
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -1,14 +1,14 @@
 #include "coppice/scene/scene.h"
 
-#include "coppice/build/build_tree.h"
+#include "coppice/builders/build_tree.h"
 
 #include <utility>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 Scene::Scene(TriangleMesh mesh, const BuildOptions& options, const BuildControl& control)
     : mesh_(std::move(mesh)),
-      tracer_(build_wide_bvh(mesh_.view(), options, &report_, control)),
+      tracer_(build_bvh8(mesh_.view(), options, &report_, control)),
       search_(tracer_.tree()) {}
 
 std::optional<Hit> Scene::intersect(const Ray& ray) const noexcept {
@@ -23,4 +23,4 @@ SignedDistance Scene::make_signed_distance() const {
     return {mesh_.view(), search_};
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -10,7 +10,7 @@
 #include <bit>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 // The hashes of pieces are hashed as they lie in memory.
 static_assert(std::endian::native == std::endian::little);
@@ -24,4 +24,4 @@ std::uint64_t checksum(std::span<const std::byte> bytes) {
     return XXH3_64bits(pieces.data(), pieces.size() * sizeof(std::uint64_t));
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

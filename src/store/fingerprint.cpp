@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 Fingerprint fingerprint_of(TriangleMeshView mesh) {
     return {mesh.size(), mesh.vertices().size(), checksum(std::as_bytes(mesh.vertices())),
@@ -27,4 +27,4 @@ std::string difference(const Fingerprint& wanted, const Fingerprint& found) {
     return {};
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

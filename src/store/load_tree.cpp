@@ -24,7 +24,7 @@
 #include <span>
 #include <string_view>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 class TreeFile {
@@ -48,7 +48,7 @@ public:
         if (header_.kind == TreeFileHeader::kd) {
             return checked(KdTree(mapped_, nodes<KdNode>(), items<std::uint32_t>(), bounds));
         }
-        return checked(WideBvh(mapped_, nodes<WideNode>(), items<TriangleBlock>(), bounds));
+        return checked(Bvh8(mapped_, nodes<Bvh8Node>(), items<TriangleBlock>(), bounds));
     }
 
     [[nodiscard]] TreeOrigin origin() const {
@@ -98,9 +98,9 @@ private:
 
     void check_layout() const {
         const bool is_kd = header_.kind == TreeFileHeader::kd;
-        const std::size_t node = is_kd ? sizeof(KdNode) : sizeof(WideNode);
+        const std::size_t node = is_kd ? sizeof(KdNode) : sizeof(Bvh8Node);
         const std::size_t item = is_kd ? sizeof(std::uint32_t) : sizeof(TriangleBlock);
-        const bool is_ours = header_.kind <= TreeFileHeader::wide &&
+        const bool is_ours = header_.kind <= TreeFileHeader::bvh8 &&
                              header_.header_bytes == sizeof header_ && header_.node_bytes == node &&
                              header_.item_bytes == item;
         if (is_ours) return;
@@ -209,4 +209,4 @@ SavedTree load_tree(const std::filesystem::path& file, const Fingerprint& primit
     });
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

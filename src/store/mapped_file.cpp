@@ -14,7 +14,7 @@
 #include <cstring>
 #include <string_view>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 class Descriptor {
@@ -61,4 +61,4 @@ MappedFile::~MappedFile() {
     munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <span>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// A regular file's bytes in memory, read from the disk as they are needed; aligned to a page. They
 /// stay what they are if the file is replaced or removed; the file must not be cut short.
@@ -26,4 +26,4 @@ private:
     std::span<const std::byte> bytes_;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

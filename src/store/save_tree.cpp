@@ -9,7 +9,7 @@
 #include <span>
 #include <string_view>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 std::string_view as_text(std::span<const std::byte> bytes) {
@@ -59,12 +59,12 @@ void save_tree(const std::filesystem::path& file, const KdTree& tree, const Fing
     });
 }
 
-void save_tree(const std::filesystem::path& file, const WideBvh& tree,
-               const Fingerprint& primitives, const TreeOrigin& origin) {
+void save_tree(const std::filesystem::path& file, const Bvh8& tree, const Fingerprint& primitives,
+               const TreeOrigin& origin) {
     with_memory_errors(file, [&] {
         save(file, tree.nodes(), tree.blocks(), origin,
-             make_header(TreeFileHeader::wide, primitives, tree.bounds()));
+             make_header(TreeFileHeader::bvh8, primitives, tree.bounds()));
     });
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -16,7 +16,7 @@
 #include <limits>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 constexpr std::uint8_t unknown = 0xff;
@@ -39,7 +39,7 @@ private:
     std::vector<std::uint8_t> depths_;
 };
 
-static_assert(KdTree::max_depth < unknown - 1 && WideBvh::max_depth < unknown - 1);
+static_assert(KdTree::max_depth < unknown - 1 && Bvh8::max_depth < unknown - 1);
 
 std::string bad_depth(std::size_t node, std::uint8_t depth, int most) {
     if (depth == unknown) return fmt::format("node {} is nobody's child", node);
@@ -75,10 +75,10 @@ std::size_t find_first(std::size_t count, const IsSound& is_sound) {
 }
 
 // Slots that hold nothing come last and have the empty box.
-bool has_sound_gaps(const WideNode& node) {
+bool has_sound_gaps(const Bvh8Node& node) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     bool is_gap = false;
-    for (std::size_t slot = 0; slot < wide_width; ++slot) {
+    for (std::size_t slot = 0; slot < bvh8_width; ++slot) {
         if (!node.child[slot].is_empty()) {
             if (is_gap) return false;
             continue;
@@ -94,7 +94,7 @@ bool has_sound_gaps(const WideNode& node) {
 // Lanes hold a triangle that exists, or come last and have a corner of NaN.
 bool is_sound(const TriangleBlock& block, std::uint32_t primitive_count) {
     bool is_gap = false;
-    for (std::size_t lane = 0; lane < wide_width; ++lane) {
+    for (std::size_t lane = 0; lane < bvh8_width; ++lane) {
         if (block.id[lane] == TriangleBlock::no_triangle) {
             is_gap = true;
             if (!std::isnan(block.corner[0][0][lane])) return false;
@@ -105,15 +105,15 @@ bool is_sound(const TriangleBlock& block, std::uint32_t primitive_count) {
     return true;
 }
 
-std::string find_node_flaw(const WideBvh& tree) {
+std::string find_node_flaw(const Bvh8& tree) {
     const auto nodes = tree.nodes();
     Depths depths(nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        if (depths.of(i) > WideBvh::max_depth) {
-            return bad_depth(i, depths.of(i), WideBvh::max_depth);
+        if (depths.of(i) > Bvh8::max_depth) {
+            return bad_depth(i, depths.of(i), Bvh8::max_depth);
         }
         if (!has_sound_gaps(nodes[i])) return fmt::format("node {} has a hole", i);
-        for (const WideChild child : nodes[i].child) {
+        for (const Bvh8Child child : nodes[i].child) {
             if (child.is_empty()) break;
             if (!child.is_leaf()) {
                 if (!depths.hang(child.node(), i)) return bad_child(i, child.node(), nodes.size());
@@ -156,7 +156,7 @@ std::string find_flaw(const KdTree& tree, std::uint32_t primitive_count) {
                        primitive_count);
 }
 
-std::string find_flaw(const WideBvh& tree, std::uint32_t primitive_count) {
+std::string find_flaw(const Bvh8& tree, std::uint32_t primitive_count) {
     if (std::string flaw = find_bounds_flaw(tree.bounds()); !flaw.empty()) return flaw;
     if (std::string flaw = find_node_flaw(tree); !flaw.empty()) return flaw;
     const auto blocks = tree.blocks();
@@ -167,4 +167,4 @@ std::string find_flaw(const WideBvh& tree, std::uint32_t primitive_count) {
                        primitive_count);
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// The first bytes of a tree file, as they lie in memory; see docs/formats.md. What follows are the
-/// nodes, the items (references of a k-d tree, blocks of a wide one), the method's name and the
+/// nodes, the items (references of a k-d tree, blocks of a 8-wide one), the method's name and the
 /// options, without gaps.
 struct TreeFileHeader {
     /// Ours for certain: the first byte is not text, and the line ends do not survive a transfer as
@@ -21,7 +21,7 @@ struct TreeFileHeader {
     /// To be raised with every change of this header, of a node, a block, or what they mean.
     static constexpr std::uint32_t own_version = 1;
 
-    enum Kind : std::uint32_t { kd = 0, wide = 1 };
+    enum Kind : std::uint32_t { kd = 0, bvh8 = 1 };
 
     std::array<unsigned char, 8> magic = own_magic;
     std::uint32_t byte_order = own_byte_order;
@@ -46,4 +46,4 @@ struct TreeFileHeader {
 // A multiple of the alignment of nodes and blocks.
 static_assert(sizeof(TreeFileHeader) == 192 && std::is_trivially_copyable_v<TreeFileHeader>);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -7,7 +7,7 @@
 
 #include "trace/hit_list.h"
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 // Calls `take(hit)` for every triangle that is hit, by id, until it returns true.
@@ -59,4 +59,4 @@ std::uint64_t brute_force_count_hits(TriangleMeshView mesh, const Ray& ray) noex
     return count;
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -11,7 +11,7 @@
 #include <limits>
 #include <span>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// The order of hits: by distance, equally close ones by id.
 [[nodiscard]] inline bool is_before(const Hit& a, const Hit& b) noexcept {
@@ -76,4 +76,4 @@ template <typename Find>
     }
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

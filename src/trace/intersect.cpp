@@ -36,7 +36,7 @@
 #include <array>
 #include <cmath>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 // An end of an interval, moved down or up by more than distances are off.
@@ -306,4 +306,4 @@ std::uint64_t count_hits(const KdTree& tree, TriangleMeshView mesh, const Ray& r
     });
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -5,7 +5,7 @@
 #include "base/batch.h"
 #include "base/rows.h"
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 void intersect(const KdTree& tree, TriangleMeshView mesh, std::span<const Ray> rays,
                std::span<Hit> hits, int threads) {
@@ -38,4 +38,4 @@ void count_hits(const KdTree& tree, TriangleMeshView mesh, std::span<const Ray> 
                    [&](std::size_t i) { counts[i] = count_hits(tree, mesh, rays[i]); });
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

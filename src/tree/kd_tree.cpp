@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 constexpr KdNode empty_leaf;
@@ -48,4 +48,4 @@ Skeleton::Skeleton(KdTree&& tree) : bounds_(tree.bounds_) {
     }
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -12,14 +12,14 @@
 #include "coppice/tree/walk.h"
 
 #include "base/free_memory.h"
-#include "tree/finding_list.h"
+#include "tree/issue_list.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 // A leaf, or any node, as the walk meets it, with the box a primitive has to enter to belong to it
@@ -30,7 +30,7 @@ struct Place {
     Aabb inside;
 };
 
-float tolerance_at(const Aabb& box, Plane plane) {
+float tolerance_at(const Aabb& box, SplitPlane plane) {
     const double scale =
         std::max(box.extent(plane.axis), std::abs(static_cast<double>(plane.position)));
     // Where all is denormal, rounding is a matter of the smallest float.
@@ -58,7 +58,7 @@ public:
           is_referenced_(primitives.size(), false),
           findings_(limit) {}
 
-    std::vector<Finding> run() {
+    std::vector<ValidationIssue> run() {
         if (!has_sound_shape()) return std::move(findings_).take();
         if (check_references()) check_contents();
         return std::move(findings_).take();
@@ -72,7 +72,7 @@ private:
         std::vector<int> depths(nodes.size(), 0);  // of children, set before they are met
         for (std::size_t i = 0; i < nodes.size(); ++i) {
             if (depths[i] > KdTree::max_depth) {
-                findings_.report(FindingKind::too_deep, i,
+                findings_.report(ValidationIssueKind::too_deep, i,
                                  "node {} is {} levels deep, more than {}", i, depths[i],
                                  KdTree::max_depth);
                 return false;  // one tells it all
@@ -80,11 +80,11 @@ private:
             if (nodes[i].is_leaf()) continue;
             const std::size_t child = nodes[i].lower_child();
             if (child <= i || child + 1 >= nodes.size()) {
-                findings_.report(FindingKind::bad_child, i,
+                findings_.report(ValidationIssueKind::bad_child, i,
                                  "node {} has children {} and {} of {} nodes", i, child, child + 1,
                                  nodes.size());
             } else if (is_child[child] || is_child[child + 1]) {
-                findings_.report(FindingKind::bad_child, i,
+                findings_.report(ValidationIssueKind::bad_child, i,
                                  "node {} shares a child with another node", i);
             } else {
                 is_child[child] = is_child[child + 1] = true;
@@ -93,7 +93,8 @@ private:
         }
         for (std::size_t i = 1; i < nodes.size(); ++i) {
             if (!is_child[i]) {
-                findings_.report(FindingKind::unreachable_node, i, "node {} is nobody's child", i);
+                findings_.report(ValidationIssueKind::unreachable_node, i,
+                                 "node {} is nobody's child", i);
             }
         }
         return findings_.is_empty();
@@ -112,8 +113,8 @@ private:
             if (end > count || std::find(owned + static_cast<std::ptrdiff_t>(first),
                                          owned + static_cast<std::ptrdiff_t>(end),
                                          true) != owned + static_cast<std::ptrdiff_t>(end)) {
-                findings_.report(FindingKind::bad_range, i, "leaf {} has references {} to {} of {}",
-                                 i, first, end, count);
+                findings_.report(ValidationIssueKind::bad_range, i,
+                                 "leaf {} has references {} to {} of {}", i, first, end, count);
                 continue;
             }
             std::fill(owned + static_cast<std::ptrdiff_t>(first),
@@ -123,8 +124,8 @@ private:
         const auto unowned = std::find(is_owned.begin(), is_owned.end(), false);
         if (unowned != is_owned.end()) {
             const auto at = static_cast<std::uint64_t>(unowned - is_owned.begin());
-            findings_.report(FindingKind::unreachable_reference, at, "reference {} is in no leaf",
-                             at);
+            findings_.report(ValidationIssueKind::unreachable_reference, at,
+                             "reference {} is in no leaf", at);
         }
         return findings_.is_empty();
     }
@@ -133,14 +134,14 @@ private:
         const auto ids = tree_.references(leaf);
         for (std::size_t k = 0; k < ids.size(); ++k) {
             if (ids[k] >= primitives_.size()) {
-                findings_.report(FindingKind::bad_reference, index,
+                findings_.report(ValidationIssueKind::bad_reference, index,
                                  "leaf {} refers to {} of {} primitives", index, ids[k],
                                  primitives_.size());
             } else {
                 is_referenced_[ids[k]] = true;
             }
             if (k > 0 && ids[k - 1] >= ids[k]) {
-                findings_.report(FindingKind::unsorted_references, index,
+                findings_.report(ValidationIssueKind::unsorted_references, index,
                                  "leaf {} has {} before {}", index, ids[k - 1], ids[k]);
             }
         }
@@ -151,11 +152,12 @@ private:
         for (std::uint32_t id = 0; id < primitives_.size(); ++id) {
             all[id] = id;
             if (!is_referenced_[id]) {
-                findings_.report(FindingKind::lost_primitive, id, "primitive {} is in no leaf", id);
+                findings_.report(ValidationIssueKind::lost_primitive, id,
+                                 "primitive {} is in no leaf", id);
             }
             const Aabb box = primitives_.bounds(id);
             if (intersection(box, tree_.bounds()) != box) {
-                findings_.report(FindingKind::bounds_too_small, id,
+                findings_.report(ValidationIssueKind::bounds_too_small, id,
                                  "primitive {} leaves the tree's box", id);
             }
         }
@@ -170,17 +172,17 @@ private:
             check_leaf(at, candidates);
             return;
         }
-        const Plane plane = node.plane();
+        const SplitPlane plane = node.plane();
         if (!(plane.position > at.box.lower[plane.axis] &&
               plane.position < at.box.upper[plane.axis])) {
-            findings_.report(FindingKind::plane_outside, at.index,
+            findings_.report(ValidationIssueKind::plane_outside, at.index,
                              "node {} is split at {}, outside [{}, {}]", at.index, plane.position,
                              at.box.lower[plane.axis], at.box.upper[plane.axis]);
             return;
         }
         const float tolerance = tolerance_at(at.box, plane);
-        const Plane lower_plane{plane.axis, plane.position - tolerance};
-        const Plane upper_plane{plane.axis, plane.position + tolerance};
+        const SplitPlane lower_plane{plane.axis, plane.position - tolerance};
+        const SplitPlane upper_plane{plane.axis, plane.position + tolerance};
         const Place lower{node.lower_child(), below(at.box, plane), below(at.inside, lower_plane)};
         const Place upper{node.upper_child(), above(at.box, plane), above(at.inside, upper_plane)};
         auto lower_candidates = reaching(candidates, lower.inside);
@@ -204,12 +206,12 @@ private:
             if (std::binary_search(ids.begin(), ids.end(), id)) continue;
             const Aabb part = part_reached_for_certain(at, primitives_.bounds(id));
             if (part.is_empty() || primitives_.clipped_bounds(id, part).is_empty()) continue;
-            findings_.report(FindingKind::missing_reference, at.index, "leaf {} lacks primitive {}",
-                             at.index, id);
+            findings_.report(ValidationIssueKind::missing_reference, at.index,
+                             "leaf {} lacks primitive {}", at.index, id);
         }
         for (const std::uint32_t id : ids) {
             if (!primitives_.bounds(id).overlaps(at.box)) {
-                findings_.report(FindingKind::stray_reference, at.index,
+                findings_.report(ValidationIssueKind::stray_reference, at.index,
                                  "leaf {} refers to primitive {}, which is not in its box",
                                  at.index, id);
             }
@@ -219,47 +221,48 @@ private:
     const KdTree& tree_;
     PrimitiveSetView primitives_;
     std::vector<bool> is_referenced_;
-    FindingList findings_;
+    IssueList findings_;
 };
 
 }  // namespace
 
-const char* finding_name(FindingKind kind) noexcept {
+const char* finding_name(ValidationIssueKind kind) noexcept {
     switch (kind) {
-        case FindingKind::bad_child:
+        case ValidationIssueKind::bad_child:
             return "bad_child";
-        case FindingKind::unreachable_node:
+        case ValidationIssueKind::unreachable_node:
             return "unreachable_node";
-        case FindingKind::too_deep:
+        case ValidationIssueKind::too_deep:
             return "too_deep";
-        case FindingKind::plane_outside:
+        case ValidationIssueKind::plane_outside:
             return "plane_outside";
-        case FindingKind::bad_range:
+        case ValidationIssueKind::bad_range:
             return "bad_range";
-        case FindingKind::unreachable_reference:
+        case ValidationIssueKind::unreachable_reference:
             return "unreachable_reference";
-        case FindingKind::bad_reference:
+        case ValidationIssueKind::bad_reference:
             return "bad_reference";
-        case FindingKind::unsorted_references:
+        case ValidationIssueKind::unsorted_references:
             return "unsorted_references";
-        case FindingKind::missing_reference:
+        case ValidationIssueKind::missing_reference:
             return "missing_reference";
-        case FindingKind::stray_reference:
+        case ValidationIssueKind::stray_reference:
             return "stray_reference";
-        case FindingKind::lost_primitive:
+        case ValidationIssueKind::lost_primitive:
             return "lost_primitive";
-        case FindingKind::bounds_too_small:
+        case ValidationIssueKind::bounds_too_small:
             return "bounds_too_small";
-        case FindingKind::box_outside:
+        case ValidationIssueKind::box_outside:
             return "box_outside";
-        case FindingKind::wrong_corners:
+        case ValidationIssueKind::wrong_corners:
             return "wrong_corners";
     }
     return "unknown";
 }
 
-std::vector<Finding> validate(const KdTree& tree, PrimitiveSetView primitives, std::size_t limit) {
+std::vector<ValidationIssue> validate(const KdTree& tree, PrimitiveSetView primitives,
+                                      std::size_t limit) {
     return Validator(tree, primitives, limit).run();
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

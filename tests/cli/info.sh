@@ -1,4 +1,4 @@
-# coppice info: counts, bounds, areas and oddities, as text and as JSON.
+# coppice info: counts, bounds, areas and issues, as text and as JSON.
 source "$(dirname "$0")/lib.bash"
 
 cat >odd.obj <<'OBJ'
@@ -32,11 +32,11 @@ cat soup.ply soup.ply >twice.ply
 expect_exit 0 coppice info twice.ply
 expect_stdout "bytes behind the last row, unread +$(wc -c <soup.ply)\$"
 
-# A scene without oddities says so; several scenes follow each other.
+# A scene without issues says so; several scenes follow each other.
 coppice generate terrain --triangles 1000 -o terrain.ply >/dev/null
 expect_exit 0 coppice info odd.obj terrain.ply
 expect_stdout '^terrain$'
-expect_stdout '^  oddities +none$'
+expect_stdout '^  issues +none$'
 expect_equal "$(tr -d '\n -~' <<<"$stdout")" '' # plain text
 
 expect_exit 0 coppice info --json odd.obj terrain.ply

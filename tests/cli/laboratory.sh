@@ -77,7 +77,7 @@ expect_stderr_one_line
 expect_exit 1 coppice experiment --replay lab/results.csv
 expect_stderr '^coppice: lab/results.csv: is not the record of an experiment'
 
-# Points are not traced, and no wide trees are built over them.
+# Points are not traced, and no 8-wide trees are built over them.
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >one.obj
 expect_exit 0 coppice experiment one.obj --primitives points --methods fast,exact --rays all --no-pictures --out p
 expect_stderr 'one: points are not traced'

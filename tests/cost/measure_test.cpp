@@ -1,6 +1,6 @@
 #include "coppice/cost/measure.h"
 
-#include "coppice/build/build_tree.h"
+#include "coppice/builders/build_tree.h"
 #include "coppice/tree/walk.h"
 
 #include "support/meshes.h"
@@ -147,10 +147,10 @@ class MeasureScene : public testing::TestWithParam<NamedScene> {};
 TEST_P(MeasureScene, AgreesWithABruteSum) {
     const TriangleMesh mesh = GetParam().make();
     for (const double rate : {1.0, 0.1}) {
-        for (const Growth growth : {Growth::none, Growth::kd}) {
-            const KdTree tree = build_kd_tree(
-                mesh.view(),
-                {.sample = {.rate = rate}, .split = {.max_leaf = 4}, .growth = growth});
+        for (const LeafRefinement leaf_refinement : {LeafRefinement::none, LeafRefinement::kd}) {
+            const KdTree tree = build_kd_tree(mesh.view(), {.sample = {.rate = rate},
+                                                            .split = {.max_leaf = 4},
+                                                            .leaf_refinement = leaf_refinement});
             const TreeStatistics measured = measure(tree, model);
             const BruteSums sums = brute_sums(tree);
             const double total = std::accumulate(sums.costs.begin(), sums.costs.end(), 0.0);

@@ -3,8 +3,8 @@
 // a machine of fewer. The thread sanitizer watches this program (docs/reliability.md).
 
 #include "coppice/base/cpu.h"
-#include "coppice/build/build_tree.h"
-#include "coppice/build/method.h"
+#include "coppice/builders/build_tree.h"
+#include "coppice/builders/method.h"
 #include "coppice/store/fingerprint.h"
 
 #include "lab/experiment.h"
@@ -82,19 +82,19 @@ std::uint64_t hash_of(const Tree& tree) {
 std::uint64_t tree_hash(const Method& method, TriangleMeshView mesh, int threads) {
     BuildOptions options = method.options();
     options.threads = threads;
-    options.wide.sampled_from = 0;
-    options.wide.cell_size = 256;
+    options.bvh8.sampled_from = 0;
+    options.bvh8.cell_size = 256;
     return method.tree == TreeKind::kd ? hash_of(build_kd_tree(mesh, options))
-                                       : hash_of(build_wide_bvh(mesh, options));
+                                       : hash_of(build_bvh8(mesh, options));
 }
 
 /// A procedural scene, and what its trees are: the scene itself, since that has sines in it that
-/// another library may round another way; k-d trees of all methods, wide trees of all methods.
+/// another library may round another way; k-d trees of all methods, 8-wide trees of all methods.
 struct Golden {
     const char* scene;
     std::uint64_t mesh;
     std::uint64_t kd;
-    std::uint64_t wide;
+    std::uint64_t bvh8;
 };
 
 void PrintTo(const Golden& golden,  // NOLINT(readability-identifier-naming)
@@ -118,7 +118,7 @@ TEST_P(ProceduralScene, GivesTheGoldenTreesInAllWays) {
         (method.tree == TreeKind::kd ? kd : wide).push_back(hash);
     }
     EXPECT_EQ(hash_of(std::span<const std::uint64_t>(kd)), GetParam().kd);
-    EXPECT_EQ(hash_of(std::span<const std::uint64_t>(wide)), GetParam().wide);
+    EXPECT_EQ(hash_of(std::span<const std::uint64_t>(wide)), GetParam().bvh8);
 }
 
 TEST_P(ProceduralScene, GivesTheSameImageInAllWays) {

@@ -2,9 +2,9 @@
 // last. What comes of it is an error that a caller can catch, and nothing is leaked.
 
 #include "coppice/base/error.h"
-#include "coppice/build/build_tree.h"
-#include "coppice/build/estimate.h"
-#include "coppice/build/method.h"
+#include "coppice/builders/build_tree.h"
+#include "coppice/builders/estimate.h"
+#include "coppice/builders/method.h"
 #include "coppice/io/load_mesh.h"
 #include "coppice/io/save_mesh.h"
 #include "coppice/scene/scene.h"
@@ -89,8 +89,8 @@ TEST_P(FailingBuild, IsAnError) {
     const TriangleMesh mesh = make_soup(3000, 0.05F, 1);
     const Method& method = GetParam();
     BuildOptions options = method.options();
-    options.wide.sampled_from = 0;
-    options.wide.cell_size = 256;
+    options.bvh8.sampled_from = 0;
+    options.bvh8.cell_size = 256;
     for (const int threads : {1, 2}) {
         options.threads = threads;
         fail_each([&] {
@@ -98,7 +98,7 @@ TEST_P(FailingBuild, IsAnError) {
             if (method.tree == TreeKind::kd) {
                 static_cast<void>(build_kd_tree(mesh.view(), options, &report));
             } else {
-                static_cast<void>(build_wide_bvh(mesh.view(), options, &report));
+                static_cast<void>(build_bvh8(mesh.view(), options, &report));
             }
         });
     }
@@ -142,15 +142,15 @@ TEST(FailingAllocation, OfSavingAndLoadingATreeIsAnErrorAndLeavesNoFile) {
     const TriangleMesh mesh = make_soup(500, 0.1F, 1);
     const Fingerprint primitives = fingerprint_of(mesh.view());
     const std::filesystem::path folder = fresh_folder();
-    const std::filesystem::path wide_file = folder / "wide.cpk";
+    const std::filesystem::path bvh8_file = folder / "wide.cpk";
     const std::filesystem::path kd_file = folder / "kd.cpk";
     const std::filesystem::path mesh_file = folder / "mesh.ply";
-    const WideBvh wide = build_wide_bvh(mesh.view(), {});
+    const Bvh8 wide = build_bvh8(mesh.view(), {});
     const KdTree kd = build_kd_tree(mesh.view(), {});
     fail_each([&] {
-        save_tree(wide_file, wide, primitives);
+        save_tree(bvh8_file, wide, primitives);
         save_tree(kd_file, kd, primitives);
-        static_cast<void>(load_tree(wide_file, primitives));
+        static_cast<void>(load_tree(bvh8_file, primitives));
         static_cast<void>(load_tree(kd_file));
         save_mesh(mesh.view(), mesh_file);
     });

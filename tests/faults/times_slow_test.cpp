@@ -4,11 +4,11 @@
 
 #include "coppice/base/error.h"
 #include "coppice/base/timer.h"
-#include "coppice/build/build_tree.h"
-#include "coppice/build/method.h"
+#include "coppice/builders/build_tree.h"
+#include "coppice/builders/method.h"
 #include "coppice/io/load_mesh.h"
 #include "coppice/store/tree_file.h"
-#include "coppice/trace/wide_tracer.h"
+#include "coppice/trace/bvh8_tracer.h"
 
 #include "io/test_files.h"
 #include "support/meshes.h"
@@ -46,7 +46,7 @@ void build(const Method& method, const BuildControl& control) {
     if (method.tree == TreeKind::kd) {
         static_cast<void>(build_kd_tree(scene().view(), method.options(), &report, control));
     } else {
-        static_cast<void>(build_wide_bvh(scene().view(), method.options(), &report, control));
+        static_cast<void>(build_bvh8(scene().view(), method.options(), &report, control));
     }
 }
 
@@ -95,12 +95,12 @@ INSTANTIATE_TEST_SUITE_P(Method, StopTimes,
 TEST(OpeningTime, ToTheFirstHitIsShort) {
     const std::filesystem::path file = fresh_folder() / "tree.cpk";
     const Fingerprint primitives = fingerprint_of(scene().view());
-    save_tree(file, build_wide_bvh(scene().view(), {}), primitives);
+    save_tree(file, build_bvh8(scene().view(), {}), primitives);
     double best = limit_milliseconds();
     for (int i = 0; i < 5; ++i) {
         const Timer timer;
         SavedTree saved = load_tree(file, primitives);
-        const WideTracer tracer(std::get<WideBvh>(std::move(saved.tree)));
+        const Bvh8Tracer tracer(std::get<Bvh8>(std::move(saved.tree)));
         const Aabb& box = tracer.tree().bounds();
         const Vec3f above{0.5F * box.lower.x + 0.5F * box.upper.x,
                           0.5F * box.lower.y + 0.5F * box.upper.y, box.upper.z + 1.0F};

@@ -50,9 +50,9 @@ TEST(TriangleOverlapsBox, AgreesWithClipping_Seed7) {
         const Triangle scaled{scale * t[0], scale * t[1], scale * t[2]};
         const Aabb box{{}, {scale, scale, scale}};
         const bool is_inside =
-            !reference_clip(t, to_wide(unit_cube).grown({-1e-9, -1e-9, -1e-9})).is_empty();
+            !reference_clip(t, to_bvh8(unit_cube).grown({-1e-9, -1e-9, -1e-9})).is_empty();
         const bool is_near =
-            !reference_clip(t, to_wide(unit_cube).grown({1e-9, 1e-9, 1e-9})).is_empty();
+            !reference_clip(t, to_bvh8(unit_cube).grown({1e-9, 1e-9, 1e-9})).is_empty();
         if (is_inside != is_near) continue;
         ASSERT_EQ(overlaps(scaled, box), is_inside) << i;
         overlap_count += is_inside ? 1 : 0;

@@ -1,6 +1,6 @@
 #include "coppice/geom/primitive_set.h"
 
-#include "coppice/build/build_tree.h"
+#include "coppice/builders/build_tree.h"
 #include "coppice/tree/validate.h"
 
 #include "support/meshes.h"
@@ -48,11 +48,13 @@ class UserDefinedSet : public testing::TestWithParam<double> {};
 
 TEST_P(UserDefinedSet, OfSpheresBuilds) {
     const SphereSet spheres = make_spheres(500, 11);
-    for (const Growth growth : {Growth::none, Growth::kd}) {
+    for (const LeafRefinement leaf_refinement : {LeafRefinement::none, LeafRefinement::kd}) {
         BuildReport report;
-        const KdTree tree = build_kd_tree(
-            spheres, {.sample = {.rate = GetParam()}, .split = {.max_leaf = 4}, .growth = growth},
-            &report);
+        const KdTree tree = build_kd_tree(spheres,
+                                          {.sample = {.rate = GetParam()},
+                                           .split = {.max_leaf = 4},
+                                           .leaf_refinement = leaf_refinement},
+                                          &report);
         EXPECT_TRUE(validate(tree, spheres).empty());
         EXPECT_GT(report.statistics.inner_count, 3U);
     }

@@ -255,7 +255,7 @@ TEST_P(ClippedTriangleBoundsOf, IsWithinTriangleAndBox) {
 TEST_P(ClippedTriangleBoundsOf, HoldsTheExactPart) {
     for_all_cases(case_count,
                   [](const Triangle& triangle, const Aabb& box, const Aabb& clipped, Random&) {
-                      const WideBox exact = reference_clip(triangle, to_wide(box));
+                      const Bvh8Box exact = reference_clip(triangle, to_bvh8(box));
                       if (exact.is_empty()) return;
                       ASSERT_FALSE(clipped.is_empty());
                       const auto noise = 0x1p-58L * largest_coordinates(triangle);
@@ -271,7 +271,7 @@ TEST_P(ClippedTriangleBoundsOf, IsHardlyLargerThanThePartInABoxHardlyLarger) {
                                  Random&) {
         if (clipped.is_empty()) return;
         const auto margin = 0x1p-44L * largest_coordinates(triangle);
-        const WideBox exact = reference_clip(triangle, to_wide(box).grown(margin)).grown(margin);
+        const Bvh8Box exact = reference_clip(triangle, to_bvh8(box).grown(margin)).grown(margin);
         ASSERT_FALSE(exact.is_empty());
         for (const Axis axis : all_axes) {
             EXPECT_GE(std::nextafter(clipped.lower[axis], Aabb::infinity), exact.lower[axis]);
@@ -334,9 +334,9 @@ TEST_P(ClippedTriangleBoundsOf, LosesNothingAtAPlane) {
     // Both halves together hold all that the whole held: no triangle falls between two cells.
     for_all_cases(case_count, [](const Triangle& triangle, const Aabb& box, const Aabb& clipped,
                                  Random& random) {
-        if (reference_clip(triangle, to_wide(box)).is_empty()) return;
+        if (reference_clip(triangle, to_bvh8(box)).is_empty()) return;
         const auto axis = static_cast<Axis>(random.below(3));
-        const Plane plane{axis, random.uniform(clipped.lower[axis], clipped.upper[axis])};
+        const SplitPlane plane{axis, random.uniform(clipped.lower[axis], clipped.upper[axis])};
         const Aabb lower = clipped_triangle_bounds(triangle, below(clipped, plane));
         const Aabb upper = clipped_triangle_bounds(triangle, above(clipped, plane));
         EXPECT_FALSE(lower.is_empty() && upper.is_empty());

@@ -150,7 +150,7 @@ TEST(LoadMesh, TakesOneTriangleWithAllVerticesEqual) {
     EXPECT_EQ(report.unused_vertices.count, 0U);
 }
 
-TEST(LoadMesh, KeepsTheFirstPlacesOfManyOddities) {
+TEST(LoadMesh, KeepsTheFirstPlacesOfManyLoadIssue) {
     std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     for (int i = 0; i < 100'000; ++i) {
         text += "f 1 2 3\n";

@@ -86,16 +86,16 @@ TEST(CostPrediction, ByFormOfTree) {
     std::vector<ResultRow> rows{
         traced_row(10, 5, 100), traced_row(20, 9, 90), traced_row(30, 12, 300), {}};
     rows.push_back(traced_row(5, 1, 1));
-    rows.back().form = TreeForm::wide;
+    rows.back().form = TreeForm::bvh8;
     rows.push_back(traced_row(std::numeric_limits<double>::quiet_NaN(), 1, 1));
     rows.back().form = TreeForm::peer;
     const auto predictions = find_predictions(rows);
-    ASSERT_EQ(predictions.size(), 4U);  // all and shadow rays, of k-d and of wide trees
+    ASSERT_EQ(predictions.size(), 4U);  // all and shadow rays, of k-d and of 8-wide trees
     EXPECT_EQ(predictions[0].tree_count, 3U);
     EXPECT_EQ(predictions[0].rays, "all");
     EXPECT_THAT(predictions[1].with_time, Optional(0.5));
     EXPECT_THAT(predictions[1].with_steps, Optional(1.0));
-    EXPECT_EQ(predictions[2].form, TreeForm::wide);
+    EXPECT_EQ(predictions[2].form, TreeForm::bvh8);
     EXPECT_FALSE(predictions[2].with_time) << "of one tree";
     ASSERT_EQ(find_calibrations(rows).size(), 2U) << "by both residuals; two trees at least";
     EXPECT_EQ(find_calibrations(rows)[0].found.count, 3U);

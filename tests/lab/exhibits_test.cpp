@@ -1,6 +1,6 @@
 #include "lab/exhibits.h"
 
-#include "coppice/build/build_tree.h"
+#include "coppice/builders/build_tree.h"
 #include "coppice/cost/measure.h"
 
 #include "lab/experiment.h"

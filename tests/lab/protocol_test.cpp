@@ -41,7 +41,7 @@ TEST(Protocol, AllSetRateAndSeedAndKeepTheRest) {
 TEST(Protocol, FixedKeepsTheLeafLimit) {
     const BuildOptions options = find_protocol("fixed").options({}, 0.01, 1);
     EXPECT_EQ(options.split.max_leaf, 32U);
-    EXPECT_EQ(options.growth, Growth::none);
+    EXPECT_EQ(options.leaf_refinement, LeafRefinement::none);
 }
 
 TEST(Protocol, ScaledRoundsTheLeafLimitAndStopsAtOne) {
@@ -50,7 +50,7 @@ TEST(Protocol, ScaledRoundsTheLeafLimitAndStopsAtOne) {
     EXPECT_EQ(scaled.options({}, 0.5, 1).split.max_leaf, 16U);
     EXPECT_EQ(scaled.options({}, 0.05, 1).split.max_leaf, 2U);  // 1.6
     EXPECT_EQ(scaled.options({}, 0.01, 1).split.max_leaf, 1U);  // 0.32
-    EXPECT_EQ(scaled.options({}, 0.5, 1).growth, Growth::none);
+    EXPECT_EQ(scaled.options({}, 0.5, 1).leaf_refinement, LeafRefinement::none);
     BuildOptions huge;
     huge.split.max_leaf = 4'294'967'295U;
     EXPECT_EQ(scaled.options(huge, 1.0, 1).split.max_leaf, 4'294'967'295U);
@@ -59,7 +59,7 @@ TEST(Protocol, ScaledRoundsTheLeafLimitAndStopsAtOne) {
 TEST(Protocol, GrownIsScaledAndGrowsOn) {
     const BuildOptions options = find_protocol("grown").options({}, 0.1, 1);
     EXPECT_EQ(options.split.max_leaf, 3U);
-    EXPECT_EQ(options.growth, Growth::kd);
+    EXPECT_EQ(options.leaf_refinement, LeafRefinement::kd);
 }
 
 TEST(Protocol, UnknownNameListsThoseThatExist) {

@@ -105,7 +105,7 @@ TEST(Tune, MeasuresEachSampleOnce) {
         EXPECT_GT(row.time.ray, 0.0);
         EXPECT_EQ(row.measured.mismatches, 0U);
     }
-    // The wide tree does not sample so small a scene: both percentages are the same tree.
+    // The 8-wide tree does not sample so small a scene: both percentages are the same tree.
     EXPECT_THAT(names, testing::ElementsAre("exact", "sampled sampled", "sampled", "fast"));
     EXPECT_NEAR(results[0].rows[1].sample_percent, 10.0, 0.1);
 }

@@ -13,7 +13,7 @@ TEST(Variant, IsAMethodWithItsOwnSampleOrAnother) {
     EXPECT_EQ(find_variant("exact").options.sample.rate, 1.0);
     const Variant variant = find_variant("fast@12.5%");
     EXPECT_EQ(variant.method, "fast");
-    EXPECT_EQ(variant.tree, TreeKind::wide);
+    EXPECT_EQ(variant.tree, TreeKind::bvh8);
     EXPECT_EQ(variant.options.sample.rate, 0.125);
     EXPECT_EQ(variant.options.sample.sampler, find_method("fast").options().sample.sampler);
     EXPECT_EQ(find_variant(variant_name("quality", 0.3)).options.sample.rate, 0.003);

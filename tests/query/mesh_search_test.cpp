@@ -1,7 +1,7 @@
 #include "coppice/query/mesh_search.h"
 
 #include "coppice/base/error.h"
-#include "coppice/build/build_tree.h"
+#include "coppice/builders/build_tree.h"
 #include "coppice/cost/measure.h"
 #include "coppice/query/brute_force_search.h"
 
@@ -20,10 +20,10 @@ namespace coppice::test {
 namespace {
 
 // Cells by planes, so small that many triangles are in several.
-WideBvh build_cut(TriangleMeshView mesh) {
-    return build_wide_bvh(
+Bvh8 build_cut(TriangleMeshView mesh) {
+    return build_bvh8(
         mesh, {.sample = {.rate = 0.5},
-               .wide = {.preset = WidePreset::balanced, .cell_size = 64, .sampled_from = 0}});
+               .bvh8 = {.preset = Bvh8Preset::balanced, .cell_size = 64, .sampled_from = 0}});
 }
 
 bool is_same(const SurfaceNeighbor& a, const SurfaceNeighbor& b) {
@@ -90,7 +90,7 @@ void check_near(const MeshSearch& search, Vec3f at, const std::vector<SurfaceNei
 TEST_P(MeshSearchScene, EqualsBruteForce) {
     const TriangleMesh mesh = GetParam().make();
     const std::vector<Vec3f> points = make_query_points(mesh.view(), 3, 41);
-    for (const WideBvh& tree : {build_wide_bvh(mesh.view()), build_cut(mesh.view())}) {
+    for (const Bvh8& tree : {build_bvh8(mesh.view()), build_cut(mesh.view())}) {
         for (const Isa isa : available_isas()) {
             const MeshSearch search(tree, isa);
             for (std::size_t i = 0; i < points.size(); ++i) {
@@ -109,7 +109,7 @@ TEST_P(MeshSearchScene, EqualsBruteForce) {
 INSTANTIATE_TEST_SUITE_P(Seed41, MeshSearchScene, testing::ValuesIn(scene_matrix()), scene_name);
 
 TEST(MeshSearch, FindsNothingNearNowhere) {
-    const MeshSearch search(build_wide_bvh(make_sphere(10, 11).view()));
+    const MeshSearch search(build_bvh8(make_sphere(10, 11).view()));
     for (const Vec3f& bad : {Vec3f{nan, 0, 0}, Vec3f{0, nan, 0}, Vec3f{0, 0, infinity}}) {
         EXPECT_FALSE(search.nearest(bad).is_found());
         EXPECT_TRUE(find_k(search, bad, 3).empty());
@@ -125,7 +125,7 @@ TEST(MeshSearch, FindsNothingNearNowhere) {
 }
 
 TEST(MeshSearch, DistancesAreInclusive) {
-    const MeshSearch search(build_wide_bvh(make_sheet(4, {0, 0, 2}, {1, 0, 0}, {0, 1, 0}).view()));
+    const MeshSearch search(build_bvh8(make_sheet(4, {0, 0, 2}, {1, 0, 0}, {0, 1, 0}).view()));
     EXPECT_TRUE(search.nearest({1.5F, 1.25F, 0}, 2.0F).is_found());
     EXPECT_FALSE(search.nearest({1.5F, 1.25F, 0}, std::nextafter(2.0F, 0.0F)).is_found());
     EXPECT_EQ(find_within(search, {1.5F, 1.25F, 0}, 2.0F).size(), 1U);
@@ -146,7 +146,7 @@ bool visit_two(const SurfaceNeighbor& /*found*/) {
 }
 
 TEST(MeshSearch, ShowsWhatItFindsToFunctions) {
-    const MeshSearch search(build_wide_bvh(make_sphere(10, 11).view()));
+    const MeshSearch search(build_bvh8(make_sphere(10, 11).view()));
     search.for_each_within({0, 0, 0}, 5.0F, visit_two);
     EXPECT_EQ(visit_count(), 2);
     search.for_each_within({0, 0, 0}, 5.0F, &visit_two);
@@ -154,7 +154,7 @@ TEST(MeshSearch, ShowsWhatItFindsToFunctions) {
 }
 
 TEST(MeshSearch, StopsWhenTold) {
-    const MeshSearch search(build_wide_bvh(make_sphere(10, 11).view()));
+    const MeshSearch search(build_bvh8(make_sphere(10, 11).view()));
     int count = 0;
     search.for_each_within({0, 0, 0}, 5.0F, [&](const SurfaceNeighbor&) { return ++count < 3; });
     EXPECT_EQ(count, 3);
@@ -205,7 +205,7 @@ TEST(MeshSearch, BatchesEqualSingleQueries) {
 }
 
 TEST(MeshSearch, BatchesCheckTheirSpans) {
-    const MeshSearch search{WideBvh()};
+    const MeshSearch search{Bvh8()};
     const std::array<Vec3f, 3> points{};
     std::array<SurfaceNeighbor, 4> found;
     std::array<std::uint32_t, 2> counts{};

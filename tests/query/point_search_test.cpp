@@ -1,7 +1,7 @@
 #include "coppice/query/point_search.h"
 
 #include "coppice/base/error.h"
-#include "coppice/build/build_tree.h"
+#include "coppice/builders/build_tree.h"
 #include "coppice/query/brute_force_search.h"
 
 #include "query/query_points.h"

@@ -1,7 +1,7 @@
 #include "coppice/query/signed_distance.h"
 
 #include "coppice/base/error.h"
-#include "coppice/build/build_tree.h"
+#include "coppice/builders/build_tree.h"
 #include "coppice/io/load_mesh.h"
 
 #include "query/query_points.h"
@@ -19,7 +19,7 @@ namespace coppice::test {
 namespace {
 
 SignedDistance make_signed(const TriangleMesh& mesh) {
-    return {mesh.view(), MeshSearch(build_wide_bvh(mesh.view()))};
+    return {mesh.view(), MeshSearch(build_bvh8(mesh.view()))};
 }
 
 // How often a closed mesh winds around a point: 1 inside, 0 outside. Sums the solid angles of all

@@ -15,7 +15,7 @@ json tree(const char* protocol, double percent) {
     return {{"protocol", protocol}, {"sampler", "uniform"}, {"sample_percent", percent}};
 }
 
-// A scene of three k-d trees, a wide tree and a peer, with what rays measured.
+// A scene of three k-d trees, a 8-wide tree and a peer, with what rays measured.
 json traced_scene() {
     json scene{{"scene", "hall"}, {"rows", json::array()}, {"details", json::array()}};
     const auto add = [&](const char* protocol, const char* form, double percent, const json& cost,
@@ -33,7 +33,7 @@ json traced_scene() {
     add("grown", "kd", 100, 40, 400);
     add("grown", "kd", 10, 44, 450);
     add("grown", "kd", 1, 60, 900);
-    add("fast", "wide", 100, 12, 100);
+    add("fast", "bvh8", 100, 12, 100);
     add("embree-high", "peer", 100, nullptr, 80);
     scene["recommended"] = {tree("grown", 10)};
     scene["recommended"][0]["primitives"] = "triangles";
@@ -92,7 +92,7 @@ TEST(Laboratory, ASamplerOfItsOwnIsALineOfItsOwn) {
 TEST(Laboratory, ChartsHaveTheirPoints) {
     const json scene = traced_scene();
     EXPECT_EQ(make_cost_ray_chart(scene, "kd")["data"]["values"].size(), 3U);
-    EXPECT_EQ(make_cost_ray_chart(scene, "wide")["data"]["values"].size(), 1U);
+    EXPECT_EQ(make_cost_ray_chart(scene, "bvh8")["data"]["values"].size(), 1U);
     const json race = make_image_time_chart(scene);
     const json& winners = race["layer"][1]["data"]["values"];
     const auto starts =

@@ -1,8 +1,8 @@
 // In sound trees validate() missed triangles in leaves they pass by: clipped to boxes smaller than
 // the rounding of their own coordinates, they seemed to be inside. Found by fuzzing.
 
-#include "coppice/build/build_tree.h"
-#include "coppice/build/method.h"
+#include "coppice/builders/build_tree.h"
+#include "coppice/builders/method.h"
 #include "coppice/tree/validate.h"
 
 #include "support/meshes.h"

@@ -1,7 +1,7 @@
 // Planes at 0 were -0 or +0 as the parallel sort of events happened to leave them: trees of 1 and
 // of 2 threads compared unequal.
 
-#include "coppice/build/build_tree.h"
+#include "coppice/builders/build_tree.h"
 
 #include "support/meshes.h"
 #include "support/random.h"
@@ -32,9 +32,10 @@ class NegativeZeroPlane : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(NegativeZeroPlane, IsTheSameForAnyThreads) {
     const TriangleMesh mesh = make_both_sides_of_zero(20'000, GetParam());
-    BuildOptions options{.split = {.max_depth = 1}, .growth = Growth::none, .threads = 1};
+    BuildOptions options{
+        .split = {.max_depth = 1}, .leaf_refinement = LeafRefinement::none, .threads = 1};
     const KdTree expected = build_kd_tree(mesh.view(), options);
-    ASSERT_EQ(expected.root().plane(), (Plane{Axis::x, 0.0F}));
+    ASSERT_EQ(expected.root().plane(), (SplitPlane{Axis::x, 0.0F}));
     EXPECT_FALSE(std::signbit(expected.root().position()));
     options.threads = 2;
     for (int i = 0; i < 5; ++i) {

@@ -1,8 +1,8 @@
 // A NaN coordinate in a mesh that did not come from a file made the sweep of events loop for ever.
 
 #include "coppice/base/error.h"
-#include "coppice/build/build_tree.h"
-#include "coppice/build/estimate.h"
+#include "coppice/builders/build_tree.h"
+#include "coppice/builders/estimate.h"
 #include "coppice/geom/point_cloud.h"
 
 #include "support/meshes.h"
@@ -31,8 +31,8 @@ std::string error_of(PrimitiveSetView primitives) {
     return error_of_build([&] { return build_kd_tree(primitives); });
 }
 
-std::string error_of_wide(TriangleMeshView mesh) {
-    return error_of_build([&] { return build_wide_bvh(mesh); });
+std::string error_of_bvh8(TriangleMeshView mesh) {
+    return error_of_build([&] { return build_bvh8(mesh); });
 }
 
 TEST(NotFinite, BoxesAreRefused) {
@@ -60,7 +60,7 @@ TEST(NotFinite, TrianglesWithOneNanCornerAreRefused) {
             bad.vertices[std::size_t{3} * 950].x = infinity;
             const std::string expected = "primitive " + std::to_string(id) + " has no finite box";
             EXPECT_EQ(error_of(bad.view()), expected);
-            EXPECT_EQ(error_of_wide(bad.view()), expected);
+            EXPECT_EQ(error_of_bvh8(bad.view()), expected);
         }
     }
 }
@@ -74,10 +74,10 @@ TEST(NotFinite, BoxesAreRefusedByEstimates) {
     const BuildControl limit{.memory_limit_bytes = std::uint64_t{1} << 40};
     const std::string expected = "primitive 7 has no finite box";
     EXPECT_EQ(error_of_build([&] { return estimate_kd_tree(mesh.view(), {}); }), expected);
-    EXPECT_EQ(error_of_build([&] { return estimate_wide_bvh(mesh.view(), {}); }), expected);
+    EXPECT_EQ(error_of_build([&] { return estimate_bvh8(mesh.view(), {}); }), expected);
     EXPECT_EQ(error_of_build([&] { return build_kd_tree(mesh.view(), {}, nullptr, limit); }),
               expected);
-    EXPECT_EQ(error_of_build([&] { return build_wide_bvh(mesh.view(), {}, nullptr, limit); }),
+    EXPECT_EQ(error_of_build([&] { return build_bvh8(mesh.view(), {}, nullptr, limit); }),
               expected);
 }
 

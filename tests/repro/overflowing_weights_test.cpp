@@ -1,10 +1,10 @@
-// In the sieve of the wide traversals products of coordinates from 2^64 on overflowed where the
+// In the sieve of the 8-wide traversals products of coordinates from 2^64 on overflowed where the
 // bound on their errors did not: with fused multiplications (AVX2) weights became infinite, with a
 // sign, and the triangle was missed for sure. Found by fuzzing.
 
-#include "coppice/build/build_tree.h"
+#include "coppice/builders/build_tree.h"
 #include "coppice/trace/brute_force.h"
-#include "coppice/trace/wide_tracer.h"
+#include "coppice/trace/bvh8_tracer.h"
 
 #include "support/effort.h"
 #include "support/meshes.h"
@@ -24,7 +24,7 @@ TEST(OverflowingWeights, DoNotHideAHit) {
     const auto expected = brute_force_intersect(mesh.view(), ray);
     ASSERT_TRUE(expected.has_value());
     for (const Isa isa : available_isas()) {
-        EXPECT_EQ(WideTracer(build_wide_bvh(mesh.view()), isa).intersect(ray), expected);
+        EXPECT_EQ(Bvh8Tracer(build_bvh8(mesh.view()), isa).intersect(ray), expected);
     }
 }
 
@@ -32,15 +32,15 @@ TEST(OverflowingWeights, OfAnySizeAreHitAsByBruteForce) {
     Random random(7);
     for (float size = 1.0F; size < 0x1.0p120F; size *= 4.0F) {
         const TriangleMesh mesh = scaled(make_soup(20, 0.5F, 3), size);
-        const WideBvh tree = build_wide_bvh(mesh.view());
+        const Bvh8 tree = build_bvh8(mesh.view());
         for (int i = 0; i < effort(200); ++i) {
             const Vec3f origin = random.in_box(tree.bounds());
             const Vec3f target = mesh.view().triangle(random.below(20))[random.below(3)];
             const Ray ray{origin, (1.0F / size) * (target - origin)};
             const auto expected = brute_force_intersect(mesh.view(), ray);
             for (const Isa isa : available_isas()) {
-                ASSERT_EQ(WideTracer(tree, isa).intersect(ray), expected) << size;
-                ASSERT_EQ(WideTracer(tree, isa).occluded(ray), expected.has_value()) << size;
+                ASSERT_EQ(Bvh8Tracer(tree, isa).intersect(ray), expected) << size;
+                ASSERT_EQ(Bvh8Tracer(tree, isa).occluded(ray), expected.has_value()) << size;
             }
         }
     }

@@ -1,7 +1,7 @@
 // A hit counts by its t rounded to float, but the traversal cut the ray at t_min and t_max as they
 // are: a hit rounded onto a limit was found by brute force only.
 
-#include "coppice/build/build_tree.h"
+#include "coppice/builders/build_tree.h"
 #include "coppice/trace/brute_force.h"
 #include "coppice/trace/intersect.h"
 

@@ -1,7 +1,7 @@
 #include "coppice/scene/scene.h"
 
 #include "coppice/base/error.h"
-#include "coppice/build/build_tree.h"
+#include "coppice/builders/build_tree.h"
 #include "coppice/io/load_mesh.h"
 #include "coppice/trace/brute_force.h"
 
@@ -62,9 +62,9 @@ TEST(Scene, TracesManyRaysAndAllHits) {
 
 TEST(Scene, BuildsByItsOptions) {
     const TriangleMesh mesh = make_soup(500, 0.1F, 1);
-    const BuildOptions options{.sample = {.rate = 0.1, .seed = 3}, .wide = {.sampled_from = 0}};
+    const BuildOptions options{.sample = {.rate = 0.1, .seed = 3}, .bvh8 = {.sampled_from = 0}};
     const Scene scene(mesh, options);
-    EXPECT_TRUE(is_same(scene.tree(), build_wide_bvh(mesh.view(), options)));
+    EXPECT_TRUE(is_same(scene.tree(), build_bvh8(mesh.view(), options)));
     EXPECT_TRUE(is_sound(scene.tree(), scene.mesh().view()));
     EXPECT_EQ(scene.build_report().options.sample.rate, 0.1);
     EXPECT_EQ(scene.build_report().primitive_count, 500U);

@@ -3,9 +3,9 @@
 
 #include "coppice/store/tree_file.h"
 
-#include "coppice/build/build_tree.h"
+#include "coppice/builders/build_tree.h"
 #include "coppice/query/mesh_search.h"
-#include "coppice/trace/wide_tracer.h"
+#include "coppice/trace/bvh8_tracer.h"
 #include "coppice/tree/validate.h"
 
 #include "io/test_files.h"
@@ -25,9 +25,9 @@ namespace {
 
 const TreeOrigin origin{"fast", R"({"a": 1})"};
 
-std::string saved_wide(const TriangleMesh& mesh) {
+std::string saved_bvh8(const TriangleMesh& mesh) {
     const std::filesystem::path file = fresh_folder() / "tree.cpk";
-    save_tree(file, build_wide_bvh(mesh.view(), {}), fingerprint_of(mesh.view()), origin);
+    save_tree(file, build_bvh8(mesh.view(), {}), fingerprint_of(mesh.view()), origin);
     return read_file(file);
 }
 
@@ -87,21 +87,21 @@ std::string with_changed(std::string bytes, std::size_t offset,
     return forged(bytes, header_of(bytes));
 }
 
-TEST(TreeFile, AWideTreeComesBackAndTracesTheSame) {
+TEST(TreeFile, ABvh8ComesBackAndTracesTheSame) {
     const TriangleMesh mesh = make_soup(3000, 0.1F, 1);
     const std::filesystem::path file = fresh_folder() / "tree.cpk";
-    const WideBvh tree = build_wide_bvh(mesh.view(), {});
+    const Bvh8 tree = build_bvh8(mesh.view(), {});
     save_tree(file, tree, fingerprint_of(mesh.view()), origin);
     const SavedTree saved = load_tree(file, fingerprint_of(mesh.view()));
     EXPECT_EQ(saved.origin, origin);
     EXPECT_EQ(saved.primitives.primitive_count, 3000U);
     EXPECT_EQ(saved.file_bytes, std::filesystem::file_size(file));
     std::filesystem::remove(file);  // what is mapped stays
-    const auto& loaded = std::get<WideBvh>(saved.tree);
+    const auto& loaded = std::get<Bvh8>(saved.tree);
     EXPECT_EQ(loaded.bounds(), tree.bounds());
     EXPECT_TRUE(validate(loaded, mesh.view()).empty());
-    const WideTracer before(tree);
-    const WideTracer after(loaded);
+    const Bvh8Tracer before(tree);
+    const Bvh8Tracer after(loaded);
     for (int i = 0; i < 1000; ++i) {
         const float x = static_cast<float>(i) / 1000.0F;
         const Ray ray{.origin = {x, 1.0F - x, -1.0F}, .direction = {0.1F, 0.2F, 1.0F}};
@@ -131,8 +131,8 @@ TEST(TreeFile, AKdTreeComesBackEqualAndCanBeEmptied) {
 
 TEST(TreeFile, TreesOfNothingAndOfPointsComeBack) {
     const std::filesystem::path file = fresh_folder() / "tree.cpk";
-    save_tree(file, WideBvh(), fingerprint_of(TriangleMeshView()));
-    EXPECT_EQ(std::get<WideBvh>(load_tree(file).tree).nodes().size(), 1U);
+    save_tree(file, Bvh8(), fingerprint_of(TriangleMeshView()));
+    EXPECT_EQ(std::get<Bvh8>(load_tree(file).tree).nodes().size(), 1U);
     save_tree(file, KdTree(), fingerprint_of(TriangleMeshView()));
     EXPECT_TRUE(std::get<KdTree>(load_tree(file).tree) == KdTree());
     const std::vector<Vec3f> points{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}};
@@ -144,7 +144,7 @@ TEST(TreeFile, TreesOfNothingAndOfPointsComeBack) {
 
 TEST(TreeFile, AnotherMeshIsRefused) {
     const TriangleMesh mesh = make_soup(100, 0.1F, 1);
-    const std::filesystem::path file = make_file("tree.cpk", saved_wide(mesh));
+    const std::filesystem::path file = make_file("tree.cpk", saved_bvh8(mesh));
     const auto error_for = [&](const TriangleMesh& other) {
         try {
             static_cast<void>(load_tree(file, fingerprint_of(other.view())));
@@ -176,7 +176,7 @@ TEST(TreeFile, AnythingElseIsNoTreeFile) {
 }
 
 TEST(TreeFile, OtherVersionsByteOrdersAndLayoutsAreRefused) {
-    const std::string bytes = saved_wide(make_soup(10, 0.1F, 1));
+    const std::string bytes = saved_bvh8(make_soup(10, 0.1F, 1));
     TreeFileHeader header = header_of(bytes);
     header.version = 2;
     EXPECT_EQ(error_of_tree(forged(bytes, header), ErrorCode::unsupported),
@@ -211,7 +211,7 @@ TEST(TreeFile, EveryTruncationIsRefused) {
 
 TEST(TreeFile, EveryFlippedBitIsFound) {
     const TriangleMesh mesh = make_soup(9, 0.1F, 1);
-    for (const std::string& bytes : {saved_wide(mesh), saved_kd(mesh)}) {
+    for (const std::string& bytes : {saved_bvh8(mesh), saved_kd(mesh)}) {
         for (std::size_t at = 0; at < bytes.size(); ++at) {
             std::string flipped = bytes;
             flipped[at] = static_cast<char>(flipped[at] ^ (1 << at % 8));
@@ -239,7 +239,7 @@ TEST(TreeFile, AForgedSizeIsRefused) {
 TEST(TreeFile, ForgedBoundsAreRefused) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     for (const std::string& bytes :
-         {saved_kd(make_terrain(8, 1)), saved_wide(make_terrain(8, 1))}) {
+         {saved_kd(make_terrain(8, 1)), saved_bvh8(make_terrain(8, 1))}) {
         for (const float bound : {std::numeric_limits<float>::quiet_NaN(), infinity, 1e30F}) {
             TreeFileHeader header = header_of(bytes);
             header.bounds[1] = bound;
@@ -284,29 +284,29 @@ TEST(TreeFile, ATreeTooDeepIsRefused) {
               "tree.cpk: not a sound tree: node 121 is more than 60 levels deep");
 }
 
-TEST(TreeFile, AForgedWideTreeCannotLeadOutOfItsArrays) {
-    const std::string bytes = saved_wide(make_terrain(24, 1));
+TEST(TreeFile, AForgedBvh8CannotLeadOutOfItsArrays) {
+    const std::string bytes = saved_bvh8(make_terrain(24, 1));
     const TreeFileHeader header = header_of(bytes);
     ASSERT_GT(header.node_count, 2U);
     const auto count = static_cast<std::uint32_t>(header.node_count);
     const std::size_t root = sizeof header;
-    const std::size_t blocks = root + count * sizeof(WideNode);
-    const auto error_with_child = [&](WideChild child) {
+    const std::size_t blocks = root + count * sizeof(Bvh8Node);
+    const auto error_with_child = [&](Bvh8Child child) {
         return error_of_tree(
-            with_changed<WideNode>(bytes, root, [&](WideNode& node) { node.child[0] = child; }));
+            with_changed<Bvh8Node>(bytes, root, [&](Bvh8Node& node) { node.child[0] = child; }));
     };
     const auto error_with_block = [&](const std::function<void(TriangleBlock&)>& change) {
         return error_of_tree(with_changed<TriangleBlock>(bytes, blocks, change));
     };
-    EXPECT_EQ(error_with_child(WideChild::make_inner(count)),
+    EXPECT_EQ(error_with_child(Bvh8Child::make_inner(count)),
               "tree.cpk: not a sound tree: node 0 has the child " + std::to_string(count) + " of " +
                   std::to_string(count) + " nodes, which is none or another's");
-    EXPECT_NE(error_with_child(WideChild::make_inner(0)), "");
-    EXPECT_NE(error_with_child(WideChild::make_inner(count - 1)), "");
+    EXPECT_NE(error_with_child(Bvh8Child::make_inner(0)), "");
+    EXPECT_NE(error_with_child(Bvh8Child::make_inner(count - 1)), "");
     EXPECT_NE(error_with_child(
-                  WideChild::make_leaf(static_cast<std::uint32_t>(header.item_count) - 1, 2)),
+                  Bvh8Child::make_leaf(static_cast<std::uint32_t>(header.item_count) - 1, 2)),
               "");
-    EXPECT_NE(error_with_child(WideChild::make_empty()), "");
+    EXPECT_NE(error_with_child(Bvh8Child::make_empty()), "");
     EXPECT_NE(error_with_block([](TriangleBlock& block) { block.id[0] = 2 * 24 * 24; }), "");
     EXPECT_NE(error_with_block([](TriangleBlock& block) {
                   block.id[7] = TriangleBlock::no_triangle;
@@ -324,7 +324,7 @@ TEST(TreeFile, AForgedWideTreeCannotLeadOutOfItsArrays) {
 TEST(TreeFile, IsWrittenWholeOrNotAtAll) {
     const std::filesystem::path folder = fresh_folder();
     const TriangleMesh mesh = make_soup(10, 0.1F, 1);
-    const WideBvh tree = build_wide_bvh(mesh.view(), {});
+    const Bvh8 tree = build_bvh8(mesh.view(), {});
     for (const std::filesystem::path& file :
          {folder / "none" / "tree.cpk", folder, std::filesystem::path("/dev/full")}) {
         EXPECT_THROW(save_tree(file, tree, fingerprint_of(mesh.view())), Error) << file;

@@ -4,7 +4,7 @@
 
 #include "support/inside_rays.h"
 
-#include "coppice/build/build_tree.h"
+#include "coppice/builders/build_tree.h"
 #include "coppice/trace/intersect.h"
 
 #include <algorithm>
@@ -28,15 +28,15 @@ Vec3d middle(const Triangle& triangle) {
     return (1.0 / 3.0) * (to_double(triangle[0]) + to_double(triangle[1]) + to_double(triangle[2]));
 }
 
-// The planes of a k-d tree and the sides of a wide tree's boxes, sorted.
-std::array<std::vector<float>, 3> planes_of(const KdTree& planes, const WideBvh& boxes) {
+// The planes of a k-d tree and the sides of a 8-wide tree's boxes, sorted.
+std::array<std::vector<float>, 3> planes_of(const KdTree& planes, const Bvh8& boxes) {
     std::array<std::vector<float>, 3> found;
     for (const KdNode& node : planes.nodes()) {
         if (node.is_leaf()) continue;
         found[static_cast<std::size_t>(node.plane().axis)].push_back(node.plane().position);
     }
-    for (const WideNode& node : boxes.nodes()) {
-        for (std::size_t slot = 0; slot < wide_width && !node.child[slot].is_empty(); ++slot) {
+    for (const Bvh8Node& node : boxes.nodes()) {
+        for (std::size_t slot = 0; slot < bvh8_width && !node.child[slot].is_empty(); ++slot) {
             for (std::size_t side = 0; side < 6; ++side) {
                 found[side % 3].push_back(node.bound[side][slot]);
             }
@@ -53,7 +53,7 @@ std::array<std::vector<float>, 3> planes_of(const KdTree& planes, const WideBvh&
 InsideRays::InsideRays(const TriangleMesh& mesh, std::uint64_t seed)
     : mesh_(mesh.view()), seed_(seed) {
     const KdTree tree = build_kd_tree(mesh_);
-    const auto planes = planes_of(tree, build_wide_bvh(mesh_));
+    const auto planes = planes_of(tree, build_bvh8(mesh_));
     Random random(seed);
     for (std::size_t i = 0; i < 20 * wanted_points && points_.size() < wanted_points; ++i) {
         const Vec3d from = middle(mesh_.triangle(random.below(mesh_.size())));

@@ -114,7 +114,7 @@ Vec3f RaySource::origin() {
     return origin;
 }
 
-Plane RaySource::split_plane() {
+SplitPlane RaySource::split_plane() {
     const auto nodes = tree_.nodes();
     for (int attempt = 0; attempt < 20; ++attempt) {
         const KdNode& node = nodes[random_.below(static_cast<std::uint32_t>(nodes.size()))];
@@ -144,7 +144,7 @@ Ray RaySource::axis_parallel() {
 }
 
 Ray RaySource::in_split_plane() {
-    const Plane plane = split_plane();
+    const SplitPlane plane = split_plane();
     Vec3f from = random_.below(2) == 0 ? origin() : vertex();
     Vec3f to = random_.below(2) == 0 ? point_of_triangle(true) : vertex();
     if (random_.below(3) == 0) {
@@ -159,7 +159,7 @@ Ray RaySource::in_split_plane() {
 }
 
 Ray RaySource::from_split_plane() {
-    const Plane plane = split_plane();
+    const SplitPlane plane = split_plane();
     Vec3f from = random_.in_box(box_);
     from[plane.axis] = plane.position;
     return ray_through(from, point_of_triangle(random_.below(2) == 0));

@@ -44,7 +44,7 @@ private:
     [[nodiscard]] Vec3f vertex();
     [[nodiscard]] Vec3f point_of_triangle(bool on_edge);
     [[nodiscard]] Vec3f origin();
-    [[nodiscard]] Plane split_plane();
+    [[nodiscard]] SplitPlane split_plane();
     [[nodiscard]] Ray axis_parallel();
     [[nodiscard]] Ray in_split_plane();
     [[nodiscard]] Ray from_split_plane();

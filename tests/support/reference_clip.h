@@ -10,7 +10,7 @@
 namespace coppice::test {
 
 /// A box in extended precision.
-struct WideBox {
+struct Bvh8Box {
     static constexpr long double infinity = std::numeric_limits<long double>::infinity();
 
     Vec3<long double> lower{infinity, infinity, infinity};
@@ -18,18 +18,18 @@ struct WideBox {
 
     [[nodiscard]] bool is_empty() const noexcept { return lower.x > upper.x; }
 
-    [[nodiscard]] WideBox grown(Vec3<long double> by) const noexcept {
+    [[nodiscard]] Bvh8Box grown(Vec3<long double> by) const noexcept {
         return {lower - by, upper + by};
     }
 };
 
-[[nodiscard]] inline WideBox to_wide(const Aabb& box) noexcept {
+[[nodiscard]] inline Bvh8Box to_bvh8(const Aabb& box) noexcept {
     return {{box.lower.x, box.lower.y, box.lower.z}, {box.upper.x, box.upper.y, box.upper.z}};
 }
 
 /// The box of a triangle's part inside `box`: written apart from the library's, in extended
 /// precision, corner by corner and face by face. Off by some 2^-60 of the coordinates.
-[[nodiscard]] inline WideBox reference_clip(const Triangle& triangle, const WideBox& box) {
+[[nodiscard]] inline Bvh8Box reference_clip(const Triangle& triangle, const Bvh8Box& box) {
     using Point = Vec3<long double>;
     std::vector<Point> polygon;
     for (const Vec3f& corner : triangle) {
@@ -55,7 +55,7 @@ struct WideBox {
         keep(axis, box.upper[axis], true);
         keep(axis, box.lower[axis], false);
     }
-    WideBox bounds;
+    Bvh8Box bounds;
     for (const Point& p : polygon) {
         for (const Axis axis : all_axes) {
             bounds.lower[axis] = std::min(bounds.lower[axis], p[axis]);

@@ -16,7 +16,7 @@
 namespace coppice {
 
 /// For gtest's messages.
-inline void PrintTo(const Finding& finding,  // NOLINT(readability-identifier-naming)
+inline void PrintTo(const ValidationIssue& finding,  // NOLINT(readability-identifier-naming)
                     std::ostream* stream) {
     *stream << finding_name(finding.kind) << ": " << finding.message;
 }
@@ -28,20 +28,20 @@ namespace coppice::test {
 /// Success, or the first findings of validate().
 [[nodiscard]] inline testing::AssertionResult is_sound(const KdTree& tree,
                                                        PrimitiveSetView primitives) {
-    const std::vector<Finding> findings = validate(tree, primitives, 3);
+    const std::vector<ValidationIssue> findings = validate(tree, primitives, 3);
     if (findings.empty()) return testing::AssertionSuccess();
     return testing::AssertionFailure() << testing::PrintToString(findings);
 }
 
-/// The same for a wide tree.
-[[nodiscard]] inline testing::AssertionResult is_sound(const WideBvh& tree, TriangleMeshView mesh) {
-    const std::vector<Finding> findings = validate(tree, mesh, 3);
+/// The same for a 8-wide tree.
+[[nodiscard]] inline testing::AssertionResult is_sound(const Bvh8& tree, TriangleMeshView mesh) {
+    const std::vector<ValidationIssue> findings = validate(tree, mesh, 3);
     if (findings.empty()) return testing::AssertionSuccess();
     return testing::AssertionFailure() << testing::PrintToString(findings);
 }
 
-/// True if two wide trees are equal, byte for byte.
-[[nodiscard]] inline bool is_same(const WideBvh& a, const WideBvh& b) {
+/// True if two 8-wide trees are equal, byte for byte.
+[[nodiscard]] inline bool is_same(const Bvh8& a, const Bvh8& b) {
     const auto is_same_bytes = [](auto x, auto y) {
         return x.size_bytes() == y.size_bytes() &&
                std::memcmp(x.data(), y.data(), x.size_bytes()) == 0;

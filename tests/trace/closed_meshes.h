@@ -2,7 +2,7 @@
 #pragma once
 
 #include "coppice/base/parallel.h"
-#include "coppice/build/method.h"
+#include "coppice/builders/method.h"
 
 #include "lab/traced_tree.h"
 #include "support/inside_rays.h"
@@ -73,7 +73,7 @@ void for_all_trees(const TriangleMesh& mesh, Use&& use) {
         for (const Isa isa : available_isas()) {
             const ForceIsa force(isa);
             BuildOptions options = method.options();
-            options.wide.sampled_from = 0;
+            options.bvh8.sampled_from = 0;
             const lab::TracedTree tree(mesh.view(), method.tree, options);
             use(std::string(method.name) + ", " + std::string(name_of(isa)), tree);
         }

@@ -1,6 +1,6 @@
 // All hits in order, and how many there are, of k-d trees against brute force.
 
-#include "coppice/build/build_tree.h"
+#include "coppice/builders/build_tree.h"
 #include "coppice/geom/triangle.h"
 #include "coppice/trace/brute_force.h"
 #include "coppice/trace/intersect.h"

@@ -1,5 +1,5 @@
 #include "coppice/base/error.h"
-#include "coppice/build/build_tree.h"
+#include "coppice/builders/build_tree.h"
 #include "coppice/trace/intersect.h"
 
 #include "support/meshes.h"

@@ -1,6 +1,6 @@
 #include "coppice/trace/intersect.h"
 
-#include "coppice/build/build_tree.h"
+#include "coppice/builders/build_tree.h"
 #include "coppice/trace/brute_force.h"
 
 #include "support/effort.h"
@@ -71,12 +71,12 @@ TEST_P(IntersectScene, EqualsBruteForceForAllKindsOfRays) {
     const auto& [scene, rule] = GetParam();
     const TriangleMesh mesh = scene.make();
     for (const double rate : {1.0, 0.3, 0.02}) {
-        for (const Growth growth : {Growth::none, Growth::kd}) {
+        for (const LeafRefinement leaf_refinement : {LeafRefinement::none, LeafRefinement::kd}) {
             const KdTree tree = build_kd_tree(mesh.view(), {.sample = {.rate = rate},
                                                             .split = {.rule = rule, .max_leaf = 3},
-                                                            .growth = growth});
+                                                            .leaf_refinement = leaf_refinement});
             EXPECT_TRUE(agrees_for_all_kinds(tree, mesh))
-                << "rate " << rate << ", growth " << name_of(growth);
+                << "rate " << rate << ", growth " << name_of(leaf_refinement);
         }
     }
 }

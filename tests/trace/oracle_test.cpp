@@ -1,11 +1,11 @@
 // The second look at all traversals: rays of the kinds that `coppice trace` sends, over the
 // procedural scenes, against every triangle. Hits must be identical, ids of ties included.
 
-#include "coppice/build/build_tree.h"
-#include "coppice/build/method.h"
+#include "coppice/builders/build_tree.h"
+#include "coppice/builders/method.h"
 #include "coppice/trace/brute_force.h"
+#include "coppice/trace/bvh8_tracer.h"
 #include "coppice/trace/intersect.h"
-#include "coppice/trace/wide_tracer.h"
 
 #include "lab/hard_rays.h"
 #include "lab/ray_sets.h"
@@ -81,7 +81,7 @@ TEST_P(Oracle, AgreesWithTreesOfAllMethods) {
         }
         for (const Isa isa : available_isas()) {
             SCOPED_TRACE(name_of(isa));
-            const WideTracer tracer(build_wide_bvh(mesh.view(), method.options()), isa);
+            const Bvh8Tracer tracer(build_bvh8(mesh.view(), method.options()), isa);
             compare(
                 expected, [&](const Ray& ray) { return tracer.intersect(ray); },
                 [&](const Ray& ray) { return tracer.occluded(ray); });

@@ -45,7 +45,7 @@ TEST(KdNode, InnerNodesKeepPlaneSideAndChild) {
                     EXPECT_FALSE(node.is_leaf());
                     EXPECT_EQ(node.axis(), axis);
                     EXPECT_EQ(node.position(), position);
-                    EXPECT_EQ(node.plane(), (Plane{axis, position}));
+                    EXPECT_EQ(node.plane(), (SplitPlane{axis, position}));
                     EXPECT_EQ(node.planar_side(), side);
                     EXPECT_EQ(node.lower_child(), child);
                     EXPECT_EQ(node.upper_child(), child + 1);
@@ -57,7 +57,7 @@ TEST(KdNode, InnerNodesKeepPlaneSideAndChild) {
 
 TEST(KdNode, KeepsEveryBitOfThePosition) {
     const auto kept_bits = [](std::uint32_t bits) {
-        const Plane plane{Axis::z, std::bit_cast<float>(bits)};
+        const SplitPlane plane{Axis::z, std::bit_cast<float>(bits)};
         const KdNode node = KdNode::make_inner(plane, PlanarSide::above, 12345);
         return std::bit_cast<std::uint32_t>(node.position());
     };

@@ -20,14 +20,14 @@ using testing::IsEmpty;
 using testing::Not;
 
 // Findings are of one kind and about one node, reference or primitive, and say something.
-auto are_all(FindingKind kind, std::uint64_t subject) {
-    return testing::AllOf(
-        Not(IsEmpty()),
-        Each(testing::AllOf(Field(&Finding::kind, kind), Field(&Finding::subject, subject),
-                            Field(&Finding::message, Not(IsEmpty())))));
+auto are_all(ValidationIssueKind kind, std::uint64_t subject) {
+    return testing::AllOf(Not(IsEmpty()),
+                          Each(testing::AllOf(Field(&ValidationIssue::kind, kind),
+                                              Field(&ValidationIssue::subject, subject),
+                                              Field(&ValidationIssue::message, Not(IsEmpty())))));
 }
 
-std::vector<Finding> findings_in(const TreeParts& parts) {
+std::vector<ValidationIssue> findings_in(const TreeParts& parts) {
     return validate(parts.tree(), five_boxes());
 }
 
@@ -57,7 +57,7 @@ TEST(Validate, FindsBadChildren) {
         parts.nodes[1] = inner_node(Axis::x, 1.5F, child);
         const auto findings = findings_in(parts);
         ASSERT_THAT(findings, Not(IsEmpty()));
-        EXPECT_EQ(findings[0].kind, FindingKind::bad_child);
+        EXPECT_EQ(findings[0].kind, ValidationIssueKind::bad_child);
         EXPECT_EQ(findings[0].subject, 1U);
     }
 }
@@ -68,7 +68,7 @@ TEST(Validate, FindsSharedChildren) {
         parts.nodes[2] = inner_node(Axis::x, 5.5F, child);
         const auto findings = findings_in(parts);
         ASSERT_THAT(findings, Not(IsEmpty()));
-        EXPECT_EQ(findings[0].kind, FindingKind::bad_child);
+        EXPECT_EQ(findings[0].kind, ValidationIssueKind::bad_child);
         EXPECT_EQ(findings[0].subject, 2U);
     }
 }
@@ -77,15 +77,16 @@ TEST(Validate, FindsARootThatIsItsOwnChild) {
     const KdTree tree({inner_node(Axis::x, 0.5F, 0), KdNode{}}, {}, box_at(0));
     const auto findings = validate(tree, BoxSet({}));
     ASSERT_THAT(findings, Not(IsEmpty()));
-    EXPECT_EQ(findings[0].kind, FindingKind::bad_child);
+    EXPECT_EQ(findings[0].kind, ValidationIssueKind::bad_child);
 }
 
 TEST(Validate, FindsUnreachableNodes) {
     TreeParts parts = parts_over_five_boxes();
     parts.nodes.push_back(KdNode{});
-    EXPECT_THAT(findings_in(parts), are_all(FindingKind::unreachable_node, 7));
+    EXPECT_THAT(findings_in(parts), are_all(ValidationIssueKind::unreachable_node, 7));
     parts = {{KdNode{}, KdNode{}}, {}, {}};
-    EXPECT_THAT(validate(parts.tree(), BoxSet({})), are_all(FindingKind::unreachable_node, 1));
+    EXPECT_THAT(validate(parts.tree(), BoxSet({})),
+                are_all(ValidationIssueKind::unreachable_node, 1));
 }
 
 // A tree whose lower children are split `depth` times, over nothing.
@@ -105,9 +106,9 @@ TEST(Validate, FindsTreesTooDeep) {
     EXPECT_THAT(validate(chain_of(KdTree::max_depth), BoxSet({})), IsEmpty());
     constexpr std::uint64_t first_too_deep = 2 * KdTree::max_depth + 1;
     EXPECT_THAT(validate(chain_of(KdTree::max_depth + 1), BoxSet({})),
-                are_all(FindingKind::too_deep, first_too_deep));
+                are_all(ValidationIssueKind::too_deep, first_too_deep));
     EXPECT_THAT(validate(chain_of(100'000), BoxSet({})),
-                are_all(FindingKind::too_deep, first_too_deep));
+                are_all(ValidationIssueKind::too_deep, first_too_deep));
 }
 
 TEST(Validate, FindsPlanesOutside) {
@@ -116,18 +117,18 @@ TEST(Validate, FindsPlanesOutside) {
          {-1.0F, 0.0F, 3.5F, 4.0F, infinity, -infinity, std::numeric_limits<float>::quiet_NaN()}) {
         TreeParts parts = parts_over_five_boxes();
         parts.nodes[1] = inner_node(Axis::x, position, 3);
-        EXPECT_THAT(findings_in(parts), are_all(FindingKind::plane_outside, 1)) << position;
+        EXPECT_THAT(findings_in(parts), are_all(ValidationIssueKind::plane_outside, 1)) << position;
     }
     for (const float position : {0.0F, 1.0F}) {
         TreeParts parts = parts_over_five_boxes();
         parts.nodes[0] = inner_node(Axis::z, position, 1);
-        EXPECT_THAT(findings_in(parts), are_all(FindingKind::plane_outside, 0)) << position;
+        EXPECT_THAT(findings_in(parts), are_all(ValidationIssueKind::plane_outside, 0)) << position;
     }
 }
 
 TEST(Validate, FindsPlanesInAnEmptyBox) {
     const KdTree tree({inner_node(Axis::x, 0.0F, 1), KdNode{}, KdNode{}}, {}, {});
-    EXPECT_THAT(validate(tree, BoxSet({})), are_all(FindingKind::plane_outside, 0));
+    EXPECT_THAT(validate(tree, BoxSet({})), are_all(ValidationIssueKind::plane_outside, 0));
 }
 
 TEST(Validate, FindsRangesBehindTheReferences) {
@@ -135,45 +136,45 @@ TEST(Validate, FindsRangesBehindTheReferences) {
     parts.nodes[6] = KdNode::make_leaf(5, 2);
     const auto findings = findings_in(parts);
     ASSERT_THAT(findings, Not(IsEmpty()));
-    EXPECT_EQ(findings[0].kind, FindingKind::bad_range);
+    EXPECT_EQ(findings[0].kind, ValidationIssueKind::bad_range);
     EXPECT_EQ(findings[0].subject, 6U);
     for (const std::uint32_t first : {6U, 0xffffffffU}) {
         parts.nodes[6] = KdNode::make_leaf(first, KdNode::max_payload);
-        EXPECT_EQ(findings_in(parts).at(0).kind, FindingKind::bad_range);
+        EXPECT_EQ(findings_in(parts).at(0).kind, ValidationIssueKind::bad_range);
     }
 }
 
 TEST(Validate, FindsOverlappingRanges) {
     TreeParts parts = parts_over_five_boxes();
     parts.nodes[4] = KdNode::make_leaf(1, 3);
-    EXPECT_EQ(findings_in(parts).at(0).kind, FindingKind::bad_range);
+    EXPECT_EQ(findings_in(parts).at(0).kind, ValidationIssueKind::bad_range);
     EXPECT_EQ(findings_in(parts).at(0).subject, 4U);
     parts = parts_over_five_boxes();
     parts.nodes[4] = KdNode::make_leaf(2, 3);
     parts.references = {0, 4, 1, 2, 3, 4};
-    EXPECT_THAT(findings_in(parts), are_all(FindingKind::bad_range, 5));
+    EXPECT_THAT(findings_in(parts), are_all(ValidationIssueKind::bad_range, 5));
 }
 
 TEST(Validate, FindsUnreachableReferences) {
     TreeParts parts = parts_over_five_boxes();
     parts.references.push_back(3);
-    EXPECT_THAT(findings_in(parts), are_all(FindingKind::unreachable_reference, 6));
+    EXPECT_THAT(findings_in(parts), are_all(ValidationIssueKind::unreachable_reference, 6));
 }
 
 TEST(Validate, FindsReferencesToNothing) {
     for (const std::uint32_t id : {5U, 0xffffffffU}) {
         TreeParts parts = parts_over_five_boxes();
         parts.references[5] = id;
-        EXPECT_THAT(findings_in(parts), are_all(FindingKind::bad_reference, 6));
+        EXPECT_THAT(findings_in(parts), are_all(ValidationIssueKind::bad_reference, 6));
     }
 }
 
 TEST(Validate, FindsUnsortedAndRepeatedReferences) {
     TreeParts parts = parts_over_five_boxes();
     std::swap(parts.references[0], parts.references[1]);
-    EXPECT_THAT(findings_in(parts), are_all(FindingKind::unsorted_references, 3));
+    EXPECT_THAT(findings_in(parts), are_all(ValidationIssueKind::unsorted_references, 3));
     parts.references[0] = parts.references[1] = 4;
-    EXPECT_THAT(findings_in(parts), are_all(FindingKind::unsorted_references, 3));
+    EXPECT_THAT(findings_in(parts), are_all(ValidationIssueKind::unsorted_references, 3));
 }
 
 TEST(Validate, FindsMissingReferences) {
@@ -183,7 +184,7 @@ TEST(Validate, FindsMissingReferences) {
     parts.nodes[5] = KdNode::make_leaf(3, 1);
     parts.nodes[6] = KdNode::make_leaf(4, 1);
     parts.references = {0, 1, 4, 2, 3};
-    EXPECT_THAT(findings_in(parts), are_all(FindingKind::missing_reference, 3));
+    EXPECT_THAT(findings_in(parts), are_all(ValidationIssueKind::missing_reference, 3));
 }
 
 TEST(Validate, ForgivesMissingReferencesWithinRounding) {
@@ -196,14 +197,14 @@ TEST(Validate, ForgivesMissingReferencesWithinRounding) {
     };
     EXPECT_THAT(findings_for_reach(0.0F), IsEmpty());
     EXPECT_THAT(findings_for_reach(1e-7F), IsEmpty());
-    EXPECT_THAT(findings_for_reach(1e-4F), are_all(FindingKind::missing_reference, 2));
+    EXPECT_THAT(findings_for_reach(1e-4F), are_all(ValidationIssueKind::missing_reference, 2));
 }
 
 TEST(Validate, FindsStrayReferences) {
     TreeParts parts = parts_over_five_boxes();
     parts.nodes[6] = KdNode::make_leaf(5, 2);
     parts.references = {0, 4, 1, 4, 2, 0, 3};
-    EXPECT_THAT(findings_in(parts), are_all(FindingKind::stray_reference, 6));
+    EXPECT_THAT(findings_in(parts), are_all(ValidationIssueKind::stray_reference, 6));
 }
 
 TEST(Validate, AcceptsReferencesOfWhatOnlyTouches) {
@@ -222,7 +223,7 @@ TEST(Validate, FindsLostPrimitives) {
     }
     boxes.push_back(box_at(3.5F, 0));
     EXPECT_THAT(validate(parts_over_five_boxes().tree(), BoxSet(boxes)),
-                are_all(FindingKind::lost_primitive, 5));
+                are_all(ValidationIssueKind::lost_primitive, 5));
 }
 
 TEST(Validate, FindsLostPrimitivesInsideALeafToo) {
@@ -231,9 +232,9 @@ TEST(Validate, FindsLostPrimitivesInsideALeafToo) {
     parts.references.pop_back();
     const auto findings = findings_in(parts);
     ASSERT_EQ(findings.size(), 2U);
-    EXPECT_EQ(findings[0].kind, FindingKind::lost_primitive);
+    EXPECT_EQ(findings[0].kind, ValidationIssueKind::lost_primitive);
     EXPECT_EQ(findings[0].subject, 3U);
-    EXPECT_EQ(findings[1].kind, FindingKind::missing_reference);
+    EXPECT_EQ(findings[1].kind, ValidationIssueKind::missing_reference);
     EXPECT_EQ(findings[1].subject, 6U);
 }
 
@@ -242,14 +243,15 @@ TEST(Validate, FindsABoxTooSmall) {
         TreeParts parts = parts_over_five_boxes();
         parts.bounds.upper[axis] = std::nextafter(parts.bounds.upper[axis], 0.0F);
         const auto findings = findings_in(parts);
-        ASSERT_THAT(findings, Each(Field(&Finding::kind, FindingKind::bounds_too_small)));
+        ASSERT_THAT(findings,
+                    Each(Field(&ValidationIssue::kind, ValidationIssueKind::bounds_too_small)));
         EXPECT_EQ(findings.size(), axis == Axis::x ? 1U : 5U);
     }
     const auto of_empty_tree = validate(KdTree{}, BoxSet({box_at(0)}));
-    EXPECT_THAT(of_empty_tree,
-                testing::Contains(Field(&Finding::kind, FindingKind::lost_primitive)));
-    EXPECT_THAT(of_empty_tree,
-                testing::Contains(Field(&Finding::kind, FindingKind::bounds_too_small)));
+    EXPECT_THAT(of_empty_tree, testing::Contains(Field(&ValidationIssue::kind,
+                                                       ValidationIssueKind::lost_primitive)));
+    EXPECT_THAT(of_empty_tree, testing::Contains(Field(&ValidationIssue::kind,
+                                                       ValidationIssueKind::bounds_too_small)));
 }
 
 TEST(Validate, StopsAtItsLimit) {
@@ -280,19 +282,19 @@ TEST(Validate, SurvivesAnyNodes) {
 }
 
 TEST(FindingName, IsTheEnumerators) {
-    EXPECT_STREQ(finding_name(FindingKind::bad_child), "bad_child");
-    EXPECT_STREQ(finding_name(FindingKind::unreachable_node), "unreachable_node");
-    EXPECT_STREQ(finding_name(FindingKind::too_deep), "too_deep");
-    EXPECT_STREQ(finding_name(FindingKind::plane_outside), "plane_outside");
-    EXPECT_STREQ(finding_name(FindingKind::bad_range), "bad_range");
-    EXPECT_STREQ(finding_name(FindingKind::unreachable_reference), "unreachable_reference");
-    EXPECT_STREQ(finding_name(FindingKind::bad_reference), "bad_reference");
-    EXPECT_STREQ(finding_name(FindingKind::unsorted_references), "unsorted_references");
-    EXPECT_STREQ(finding_name(FindingKind::missing_reference), "missing_reference");
-    EXPECT_STREQ(finding_name(FindingKind::stray_reference), "stray_reference");
-    EXPECT_STREQ(finding_name(FindingKind::lost_primitive), "lost_primitive");
-    EXPECT_STREQ(finding_name(FindingKind::bounds_too_small), "bounds_too_small");
-    EXPECT_STREQ(finding_name(static_cast<FindingKind>(99)), "unknown");
+    EXPECT_STREQ(finding_name(ValidationIssueKind::bad_child), "bad_child");
+    EXPECT_STREQ(finding_name(ValidationIssueKind::unreachable_node), "unreachable_node");
+    EXPECT_STREQ(finding_name(ValidationIssueKind::too_deep), "too_deep");
+    EXPECT_STREQ(finding_name(ValidationIssueKind::plane_outside), "plane_outside");
+    EXPECT_STREQ(finding_name(ValidationIssueKind::bad_range), "bad_range");
+    EXPECT_STREQ(finding_name(ValidationIssueKind::unreachable_reference), "unreachable_reference");
+    EXPECT_STREQ(finding_name(ValidationIssueKind::bad_reference), "bad_reference");
+    EXPECT_STREQ(finding_name(ValidationIssueKind::unsorted_references), "unsorted_references");
+    EXPECT_STREQ(finding_name(ValidationIssueKind::missing_reference), "missing_reference");
+    EXPECT_STREQ(finding_name(ValidationIssueKind::stray_reference), "stray_reference");
+    EXPECT_STREQ(finding_name(ValidationIssueKind::lost_primitive), "lost_primitive");
+    EXPECT_STREQ(finding_name(ValidationIssueKind::bounds_too_small), "bounds_too_small");
+    EXPECT_STREQ(finding_name(static_cast<ValidationIssueKind>(99)), "unknown");
 }
 
 }  // namespace

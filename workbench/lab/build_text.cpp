@@ -63,7 +63,7 @@ std::string estimate_line(std::string_view name, double estimate, double found,
 
 std::string estimate_text(const BuildReport& report) {
     if (!report.estimate) return {};
-    const Estimate& estimate = *report.estimate;
+    const BuildEstimate& estimate = *report.estimate;
     return fmt::format("  {:<14} {:>14} {:>14} {:>9}\n", "", "estimated", "found", "off") +
            estimate_line("references", estimate.references,
                          static_cast<double>(report.statistics.reference_count), "{:.0f}") +
@@ -78,7 +78,7 @@ std::string estimate_text(const BuildReport& report) {
 
 std::string build_text(const std::string& scene, const std::string& tree,
                        const BuildReport& report) {
-    const bool is_chosen = report.options.wide.preset != report.preset;
+    const bool is_chosen = report.options.bvh8.preset != report.preset;
     const std::string method =
         is_chosen ? fmt::format("{} ({})", report.method, name_of(report.preset)) : report.method;
     return fmt::format("{}: {}, {}, {} of {} primitives sampled ({})\n", scene, method, tree,

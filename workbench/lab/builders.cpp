@@ -1,7 +1,7 @@
 #include "lab/builders.h"
 
 #include "coppice/base/named.h"
-#include "coppice/build/method.h"
+#include "coppice/builders/method.h"
 #include "coppice/sample/sampler.h"
 
 #include "lab/contestant.h"
@@ -35,7 +35,7 @@ Builder method_builder(const ExperimentOptions& options, const std::string& name
     const Method& method = find_method(name);
     const SampleOptions own = method.options().sample;
     const bool is_sampling = own.rate < 1.0;
-    const TreeForm form = method.tree == TreeKind::wide ? TreeForm::wide : TreeForm::kd;
+    const TreeForm form = method.tree == TreeKind::bvh8 ? TreeForm::bvh8 : TreeForm::kd;
     return {entry.name,
             entry.summary,
             form,
@@ -47,14 +47,14 @@ Builder method_builder(const ExperimentOptions& options, const std::string& name
 }  // namespace
 
 std::string_view name_of(TreeForm form) noexcept {
-    return form == TreeForm::kd ? "kd" : form == TreeForm::wide ? "wide" : "peer";
+    return form == TreeForm::kd ? "kd" : form == TreeForm::bvh8 ? "bvh8" : "peer";
 }
 
 std::vector<MethodEntry> experiment_methods() {
     std::vector<MethodEntry> entries;
     for (const Method& method : method_registry()) {
         const bool is_one_of_the_others =
-            method.options().wide.preset == WidePreset::automatic && method.tree == TreeKind::wide;
+            method.options().bvh8.preset == Bvh8Preset::automatic && method.tree == TreeKind::bvh8;
         if (!is_one_of_the_others) entries.push_back({method.name, method.summary});
     }
     for (const Peer& peer : peer_registry()) {

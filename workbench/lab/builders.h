@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coppice/build/build_options.h"
+#include "coppice/builders/build_options.h"
 
 #include "lab/experiment_options.h"
 #include "lab/protocol.h"
@@ -15,7 +15,7 @@ namespace coppice::lab {
 /// What comes out of a builder, and so what its cost counts and how it is traced.
 enum class TreeForm {
     kd,    ///< a k-d tree; the cost is per primitive
-    wide,  ///< an 8-wide tree of triangles; the cost is per block of eight
+    bvh8,  ///< an 8-wide tree of triangles; the cost is per block of eight
     peer   ///< another library's structure, over triangles; its cost is not known
 };
 

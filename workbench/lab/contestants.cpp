@@ -2,9 +2,9 @@
 // queries, as a user would.
 
 #include "coppice/base/timer.h"
-#include "coppice/build/build_tree.h"
+#include "coppice/builders/build_tree.h"
+#include "coppice/trace/bvh8_tracer.h"
 #include "coppice/trace/intersect.h"
-#include "coppice/trace/wide_tracer.h"
 
 #include "lab/contestant.h"
 #include "lab/memory_limit.h"
@@ -83,19 +83,19 @@ private:
 };
 
 /// An 8-wide tree.
-class WideContestant final : public Contestant {
+class Bvh8Contestant final : public Contestant {
 public:
-    WideContestant(BuildOptions options, std::uint64_t memory_limit_bytes)
+    Bvh8Contestant(BuildOptions options, std::uint64_t memory_limit_bytes)
         : options_(std::move(options)), memory_limit_bytes_(memory_limit_bytes) {}
 
     BuildFigures build(TriangleMeshView mesh, bool is_measured) override {
         return figures_ = figures_of(is_measured, figures_, [&](BuildReport* report) {
                    const BuildControl control =
                        limit_memory(is_measured ? memory_limit_bytes_ : 0, mesh);
-                   tracer_.emplace(build_wide_bvh(mesh, options_, report, control));
+                   tracer_.emplace(build_bvh8(mesh, options_, report, control));
                    if (report == nullptr) return;
                    options_.sample = report->options.sample;
-                   options_.wide.preset = report->preset;
+                   options_.bvh8.preset = report->preset;
                });
     }
 
@@ -125,7 +125,7 @@ public:
 private:
     BuildOptions options_;
     std::uint64_t memory_limit_bytes_;
-    std::optional<WideTracer> tracer_;
+    std::optional<Bvh8Tracer> tracer_;
     BuildFigures figures_;
 };
 
@@ -135,8 +135,8 @@ std::unique_ptr<Contestant> make_contestant(const Variant& variant, int threads,
                                             std::uint64_t memory_limit_bytes) {
     BuildOptions options = variant.options;
     options.threads = threads;
-    if (variant.tree == TreeKind::wide) {
-        return std::make_unique<WideContestant>(std::move(options), memory_limit_bytes);
+    if (variant.tree == TreeKind::bvh8) {
+        return std::make_unique<Bvh8Contestant>(std::move(options), memory_limit_bytes);
     }
     return std::make_unique<KdContestant>(std::move(options), memory_limit_bytes);
 }

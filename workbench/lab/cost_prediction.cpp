@@ -9,7 +9,7 @@ namespace coppice::lab {
 
 namespace {
 
-constexpr std::array measured_forms{TreeForm::kd, TreeForm::wide};
+constexpr std::array measured_forms{TreeForm::kd, TreeForm::bvh8};
 
 std::vector<const ResultRow*> traced_rows(std::span<const ResultRow> rows, TreeForm form) {
     std::vector<const ResultRow*> traced;

@@ -5,8 +5,8 @@
 
 #include "lab/exact_judge.h"
 
-#include "coppice/build/build_tree.h"
-#include "coppice/build/method.h"
+#include "coppice/builders/build_tree.h"
+#include "coppice/builders/method.h"
 
 #include "lab/exact_hit.h"
 
@@ -47,10 +47,10 @@ double enter_box(const Ray& ray, const Aabb& box) {
     return enter <= exit ? enter : infinity;
 }
 
-void add_leaf(const WideBvh& tree, WideChild leaf, const Ray& ray, std::vector<Candidate>& found) {
+void add_leaf(const Bvh8& tree, Bvh8Child leaf, const Ray& ray, std::vector<Candidate>& found) {
     for (const TriangleBlock& block :
          tree.blocks().subspan(leaf.first_block(), leaf.block_count())) {
-        for (std::size_t lane = 0; lane < wide_width; ++lane) {
+        for (std::size_t lane = 0; lane < bvh8_width; ++lane) {
             if (block.id[lane] == TriangleBlock::no_triangle) break;
             const double enter = enter_box(ray, triangle_bounds(block.triangle(lane)));
             if (std::isfinite(enter)) found.push_back({enter, block.id[lane]});
@@ -58,14 +58,14 @@ void add_leaf(const WideBvh& tree, WideChild leaf, const Ray& ray, std::vector<C
     }
 }
 
-std::vector<Candidate> find_candidates(const WideBvh& tree, const Ray& ray) {
+std::vector<Candidate> find_candidates(const Bvh8& tree, const Ray& ray) {
     std::vector<Candidate> found;
     std::vector<std::uint32_t> waiting{0};
     while (!waiting.empty()) {
-        const WideNode& node = tree.nodes()[waiting.back()];
+        const Bvh8Node& node = tree.nodes()[waiting.back()];
         waiting.pop_back();
-        for (std::size_t slot = 0; slot < wide_width; ++slot) {
-            const WideChild child = node.child[slot];
+        for (std::size_t slot = 0; slot < bvh8_width; ++slot) {
+            const Bvh8Child child = node.child[slot];
             if (child.is_empty()) break;
             if (!std::isfinite(enter_box(ray, node.child_box(slot)))) continue;
             if (child.is_leaf()) {
@@ -81,7 +81,7 @@ std::vector<Candidate> find_candidates(const WideBvh& tree, const Ray& ray) {
 }  // namespace
 
 ExactJudge::ExactJudge(TriangleMeshView mesh)
-    : mesh_(mesh), tree_(build_wide_bvh(mesh, find_method("fast").options())) {}
+    : mesh_(mesh), tree_(build_bvh8(mesh, find_method("fast").options())) {}
 
 std::optional<ExactHit> ExactJudge::closest(const Ray& ray,
                                             std::span<const std::uint32_t> claimed) const {

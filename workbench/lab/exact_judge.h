@@ -2,7 +2,7 @@
 
 #include "coppice/geom/ray.h"
 #include "coppice/geom/triangle_mesh.h"
-#include "coppice/tree/wide_bvh.h"
+#include "coppice/tree/bvh8.h"
 
 #include <cstdint>
 #include <optional>
@@ -31,7 +31,7 @@ public:
 
 private:
     TriangleMeshView mesh_;
-    WideBvh tree_;
+    Bvh8 tree_;
 };
 
 }  // namespace coppice::lab

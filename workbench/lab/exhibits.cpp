@@ -3,7 +3,7 @@
 #include "coppice/base/error.h"
 #include "coppice/base/parallel.h"
 #include "coppice/base/timer.h"
-#include "coppice/build/build_tree.h"
+#include "coppice/builders/build_tree.h"
 #include "coppice/geom/point_cloud.h"
 #include "coppice/io/load_mesh.h"
 

@@ -3,7 +3,7 @@
 #include "coppice/base/error.h"
 #include "coppice/base/named.h"
 #include "coppice/base/parallel.h"
-#include "coppice/build/split_finder.h"
+#include "coppice/builders/split_finder.h"
 #include "coppice/sample/sampler.h"
 
 #include "lab/builders.h"

@@ -24,7 +24,7 @@ BuildOptions fixed_options(const BuildOptions& base, double rate, std::uint64_t 
     BuildOptions options = base;
     options.sample.rate = rate;
     options.sample.seed = seed;
-    options.growth = Growth::none;
+    options.leaf_refinement = LeafRefinement::none;
     return options;
 }
 
@@ -37,7 +37,7 @@ BuildOptions scaled_options(const BuildOptions& base, double rate, std::uint64_t
 
 BuildOptions grown_options(const BuildOptions& base, double rate, std::uint64_t seed) {
     BuildOptions options = scaled_options(base, rate, seed);
-    options.growth = Growth::kd;
+    options.leaf_refinement = LeafRefinement::kd;
     return options;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coppice/build/build_options.h"
+#include "coppice/builders/build_options.h"
 
 #include <cstdint>
 #include <span>

@@ -146,7 +146,7 @@ std::string section_line(const ResultRow& row, bool names_sampler) {
     std::string text = row.protocol;
     if (names_sampler) text += fmt::format(", {} sample", row.sampler);
     text += fmt::format(": {}", builder_summary(row.protocol));
-    if (row.form == TreeForm::wide) text += "; a test is of 8 triangles";
+    if (row.form == TreeForm::bvh8) text += "; a test is of 8 triangles";
     return text + '\n';
 }
 

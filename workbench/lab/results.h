@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coppice/build/build_report.h"
+#include "coppice/builders/build_report.h"
 #include "coppice/geom/aabb.h"
 #include "coppice/io/load_mesh.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coppice/build/build_control.h"
+#include "coppice/builders/build_control.h"
 #include "coppice/geom/triangle_mesh.h"
 #include "coppice/io/mesh_attributes.h"
 #include "coppice/tree/kd_tree.h"
@@ -22,7 +22,7 @@ struct PictureScene {
 };
 
 /// What pictures of a mesh are traced with: the tree `fast`, built for it by at most `threads`
-/// threads. The mesh must outlive it. Throws like build_wide_bvh().
+/// threads. The mesh must outlive it. Throws like build_bvh8().
 [[nodiscard]] std::unique_ptr<render::RayTracer> picture_tracer(TriangleMeshView mesh, int threads,
                                                                 const BuildControl& control = {});
 

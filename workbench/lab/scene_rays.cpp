@@ -8,7 +8,7 @@
 
 #include "coppice/base/parallel.h"
 #include "coppice/base/timer.h"
-#include "coppice/build/method.h"
+#include "coppice/builders/method.h"
 
 #include "lab/trace_rays.h"
 #include "lab/trace_results.h"

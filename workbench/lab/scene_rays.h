@@ -22,7 +22,7 @@ class SceneRays {
 public:
     /// Makes the rays of these kinds, from hits found through a tree by reference_method(), which
     /// is kept: its hits and times are what those of all trees are compared with. Throws like
-    /// RayMaker and build_wide_bvh().
+    /// RayMaker and build_bvh8().
     SceneRays(TriangleMeshView mesh, const RayOptions& options, std::span<const RayKind> kinds,
               int threads, const BuildControl& control = {});
 

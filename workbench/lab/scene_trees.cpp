@@ -116,17 +116,17 @@ private:
                         scene_.name, family.builder.name, left_out));
     }
 
-    /// False for the wide trees of small scenes, which are the same with any sampler.
+    /// False for the 8-wide trees of small scenes, which are the same with any sampler.
     static bool is_sampled(std::span<const ResultRow> rows) {
         return std::any_of(rows.begin(), rows.end(), [](const ResultRow& row) {
-            return !row.scene.empty() && (row.form != TreeForm::wide ||
+            return !row.scene.empty() && (row.form != TreeForm::bvh8 ||
                                           row.report.sample_count < row.report.primitive_count);
         });
     }
 
     /// Wide trees of small scenes are not sampled, and some have a least sample.
     static bool is_known_sample(const ResultRow& row, std::vector<std::uint32_t>& known) {
-        if (row.form != TreeForm::wide) return false;
+        if (row.form != TreeForm::bvh8) return false;
         const std::uint32_t count = row.report.sample_count;
         if (std::count(known.begin(), known.end(), count) > 0) return true;
         known.push_back(count);

@@ -6,7 +6,7 @@
 #include "coppice/base/error.h"
 #include "coppice/base/parallel.h"
 #include "coppice/base/timer.h"
-#include "coppice/build/method.h"
+#include "coppice/builders/method.h"
 #include "coppice/io/load_mesh.h"
 #include "coppice/store/tree_file.h"
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "coppice/build/build_control.h"
-#include "coppice/build/method.h"
+#include "coppice/builders/build_control.h"
+#include "coppice/builders/method.h"
 #include "coppice/geom/triangle_mesh.h"
 #include "coppice/store/tree_file.h"
+#include "coppice/trace/bvh8_tracer.h"
 #include "coppice/trace/traversal_counts.h"
-#include "coppice/trace/wide_tracer.h"
 #include "coppice/tree/kd_tree.h"
 
 #include <optional>
@@ -15,7 +15,7 @@ namespace coppice::lab {
 /// A tree of either kind behind one type, for rays. The mesh must outlive it.
 class TracedTree {
 public:
-    /// Builds the tree. Throws like build_kd_tree() and build_wide_bvh().
+    /// Builds the tree. Throws like build_kd_tree() and build_bvh8().
     TracedTree(TriangleMeshView mesh, TreeKind kind, const BuildOptions& options,
                const BuildControl& control = {});
 
@@ -34,7 +34,7 @@ public:
 private:
     TriangleMeshView mesh_;
     KdTree kd_;
-    std::optional<WideTracer> wide_;  // in place of kd_
+    std::optional<Bvh8Tracer> bvh8_;  // in place of kd_
 };
 
 }  // namespace coppice::lab

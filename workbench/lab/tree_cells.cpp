@@ -68,7 +68,7 @@ private:
             sums.weighted_cost = at.box.surface_area() * model_.intersection *
                                  static_cast<double>(sums.reference_count);
         } else {
-            const Plane plane = node.plane();
+            const SplitPlane plane = node.plane();
             const Sums lower = sum({node.lower_child(), below(at.box, plane), at.depth + 1});
             const Sums upper = sum({node.upper_child(), above(at.box, plane), at.depth + 1});
             sums.reference_count = lower.reference_count + upper.reference_count;

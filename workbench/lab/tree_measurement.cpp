@@ -1,7 +1,7 @@
 #include "lab/tree_measurement.h"
 
 #include "coppice/base/named.h"
-#include "coppice/build/build_tree.h"
+#include "coppice/builders/build_tree.h"
 #include "coppice/tree/walk.h"
 
 #include "lab/contestant.h"
@@ -22,15 +22,16 @@ void trace(AnyTree tree, const MeasuredScene& scene, TreeFigures& figures) {
 TreeFigures measure_kd(const BuildOptions& options, const MeasuredScene& scene) {
     TreeFigures figures;
     KdTree tree = build_kd_tree(scene.primitives, options, &figures.report, scene.control);
-    const bool is_sampled = options.growth == Growth::none && options.sample.rate < 1.0;
+    const bool is_sampled =
+        options.leaf_refinement == LeafRefinement::none && options.sample.rate < 1.0;
     if (is_sampled) figures.unsampled_tests = unsampled_tests(tree);
     trace(std::move(tree), scene, figures);
     return figures;
 }
 
-TreeFigures measure_wide(const BuildOptions& options, const MeasuredScene& scene) {
+TreeFigures measure_bvh8(const BuildOptions& options, const MeasuredScene& scene) {
     TreeFigures figures;
-    trace(build_wide_bvh(scene.mesh, options, &figures.report, scene.control), scene, figures);
+    trace(build_bvh8(scene.mesh, options, &figures.report, scene.control), scene, figures);
     return figures;
 }
 
@@ -59,8 +60,8 @@ TreeFigures measure_tree(const Builder& builder, const BuildOptions& options,
     switch (builder.form) {
         case TreeForm::kd:
             return measure_kd(options, scene);
-        case TreeForm::wide:
-            return measure_wide(options, scene);
+        case TreeForm::bvh8:
+            return measure_bvh8(options, scene);
         case TreeForm::peer:
             break;
     }

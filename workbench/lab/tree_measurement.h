@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coppice/build/build_control.h"
+#include "coppice/builders/build_control.h"
 #include "coppice/geom/primitive_set.h"
 #include "coppice/geom/triangle_mesh.h"
 #include "coppice/tree/kd_tree.h"

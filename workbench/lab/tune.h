@@ -45,7 +45,7 @@ struct TuneResult {
 
 /// Measures all methods at all percentages as run_bench() does, and tells which one is the fastest
 /// for so many rays. Methods that take no sample are measured once; of percentages that come to the
-/// same sample (wide trees of small scenes have none) only the first is kept.
+/// same sample (8-wide trees of small scenes have none) only the first is kept.
 /// Throws Error(invalid_argument) for options out of range, Error(unsupported) for a scene where no
 /// ray of these kinds can be made, and like run_bench().
 [[nodiscard]] std::vector<TuneResult> run_tune(

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coppice/build/method.h"
+#include "coppice/builders/method.h"
 
 #include <string>
 #include <string_view>

@@ -1,8 +1,8 @@
 #include "render/ray_tracer.h"
 
-#include "coppice/build/build_tree.h"
+#include "coppice/builders/build_tree.h"
+#include "coppice/trace/bvh8_tracer.h"
 #include "coppice/trace/intersect.h"
-#include "coppice/trace/wide_tracer.h"
 
 #include <utility>
 #include <variant>
@@ -11,9 +11,9 @@ namespace coppice::render {
 
 namespace {
 
-class WideRayTracer : public RayTracer {
+class Bvh8RayTracer : public RayTracer {
 public:
-    explicit WideRayTracer(WideBvh tree) : tracer_(std::move(tree)) {}
+    explicit Bvh8RayTracer(Bvh8 tree) : tracer_(std::move(tree)) {}
 
     [[nodiscard]] std::optional<Hit> intersect(const Ray& ray) const noexcept override {
         return tracer_.intersect(ray);
@@ -29,7 +29,7 @@ public:
     }
 
 private:
-    WideTracer tracer_;
+    Bvh8Tracer tracer_;
 };
 
 class KdRayTracer : public RayTracer {
@@ -57,8 +57,8 @@ private:
 }  // namespace
 
 std::unique_ptr<RayTracer> make_tracer(AnyTree tree, TriangleMeshView mesh) {
-    if (auto* const wide = std::get_if<WideBvh>(&tree)) {
-        return std::make_unique<WideRayTracer>(std::move(*wide));
+    if (auto* const wide = std::get_if<Bvh8>(&tree)) {
+        return std::make_unique<Bvh8RayTracer>(std::move(*wide));
     }
     return std::make_unique<KdRayTracer>(std::get<KdTree>(std::move(tree)), mesh);
 }
@@ -70,7 +70,7 @@ std::unique_ptr<RayTracer> build_tracer(const Method& method, const BuildOptions
     if (method.tree == TreeKind::kd) {
         tree = build_kd_tree(mesh, options, report, control);
     } else {
-        tree = build_wide_bvh(mesh, options, report, control);
+        tree = build_bvh8(mesh, options, report, control);
     }
     if (report != nullptr) report->method = method.name;
     return make_tracer(std::move(tree), mesh);

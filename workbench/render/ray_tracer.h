@@ -1,8 +1,8 @@
 #pragma once
 
-#include "coppice/build/build_control.h"
-#include "coppice/build/build_report.h"
-#include "coppice/build/method.h"
+#include "coppice/builders/build_control.h"
+#include "coppice/builders/build_report.h"
+#include "coppice/builders/method.h"
 #include "coppice/geom/ray.h"
 #include "coppice/geom/triangle_mesh.h"
 #include "coppice/store/tree_file.h"
@@ -36,7 +36,7 @@ public:
 [[nodiscard]] std::unique_ptr<RayTracer> make_tracer(AnyTree tree, TriangleMeshView mesh);
 
 /// Builds a tree over a mesh, which must outlive the tracer, by a method with `options`. Throws
-/// Error like build_kd_tree() and build_wide_bvh().
+/// Error like build_kd_tree() and build_bvh8().
 [[nodiscard]] std::unique_ptr<RayTracer> build_tracer(const Method& method,
                                                       const BuildOptions& options,
                                                       TriangleMeshView mesh,

@@ -143,7 +143,7 @@ void to_json(nlohmann::json& json, const RenderReport& report) {
             {"trace_seconds", report.trace_seconds},
             {"mrays_per_second", report.mrays_per_second()},
             {"method", report.build.method},
-            {"tree", report.tree == TreeKind::kd ? "kd" : "wide"},
+            {"tree", report.tree == TreeKind::kd ? "kd" : "bvh8"},
             {"integrator", report.integrator},
             {"max_depth", report.integrator_options.max_depth},
             {"ao_distance", report.integrator_options.ao_distance},

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "coppice/build/build_report.h"
-#include "coppice/build/method.h"
+#include "coppice/builders/build_report.h"
+#include "coppice/builders/method.h"
 
 #include "render/camera.h"
 #include "render/lighting.h"
@@ -24,7 +24,7 @@ struct RenderReport {
     std::uint32_t triangle_count = 0;
     std::uint64_t emitter_count = 0;  ///< triangles that shine
     double load_seconds = 0.0;
-    TreeKind tree = TreeKind::wide;
+    TreeKind tree = TreeKind::bvh8;
     BuildReport build;
     std::string tree_file;           ///< if the tree was not built but loaded, of `build.method`
     double tree_load_seconds = 0.0;  ///< then

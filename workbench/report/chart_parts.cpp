@@ -53,12 +53,12 @@ Extent extent_of(const std::vector<double>& values) {
 // 1, 2, 5, 10, 20, 50, ... within the ends; only the powers of ten where those are many.
 std::vector<double> log_ticks(double low, double high) {
     std::vector<double> ticks;
-    const bool is_wide = high / low > 2e3;
+    const bool is_bvh8 = high / low > 2e3;
     for (double decade = std::pow(10.0, std::floor(std::log10(low))); decade <= high;
          decade *= 10.0) {
         for (const double step : {1.0, 2.0, 5.0}) {
             const double tick = decade * step;
-            if (tick >= low && tick <= high && (step == 1.0 || !is_wide)) ticks.push_back(tick);
+            if (tick >= low && tick <= high && (step == 1.0 || !is_bvh8)) ticks.push_back(tick);
         }
     }
     return ticks;

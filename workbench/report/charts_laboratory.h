@@ -11,7 +11,7 @@ namespace coppice::report {
 // Every function here returns a Vega-Lite specification with its data inside, or null where the
 // results have no data for it. `scene` is one of the results' scenes.
 
-/// SAH cost against the measured time of a ray, a point for each tree of one form ("kd", "wide"):
+/// SAH cost against the measured time of a ray, a point for each tree of one form ("kd", "bvh8"):
 /// those of different forms cannot be compared.
 [[nodiscard]] nlohmann::json make_cost_ray_chart(const nlohmann::json& scene,
                                                  std::string_view form);

@@ -31,7 +31,8 @@ std::string decomposition_figures(const json& scene, const Series& series) {
     return "<h4>What sampling costs, and why</h4><p>Early stop: <code>fixed</code> less "
            "<code>scaled</code>. Cells not empty: tests in cells that only the sample knew as "
            "empty. "
-           "Duplicates: tests of references beyond a primitive’s first. Plane error: what is left "
+           "Duplicates: tests of references beyond a primitive’s first. SplitPlane error: what is "
+           "left "
            "of the excess, but for duplicates, when all leaves are built on. Uneven leaves: the "
            "rest, leaves that the sample judged wrongly. Below 0: cheaper than the full tree.</p>"
            "<div class=\"grid thirds\">" +
@@ -52,7 +53,7 @@ std::string pair_figure(const Series& series) {
            "</div>";
 }
 
-// "kd" and "wide" for readers.
+// "kd" and "bvh8" for readers.
 std::string form_name(std::string_view form) {
     return form == "kd" ? "k-d trees" : "8-wide trees (a test is of 8 triangles)";
 }
@@ -120,7 +121,7 @@ std::string ray_figures(const json& scene, const Series& series) {
     const json rays = scene.value("rays", json());
     if (series.kind != "triangles" || array_at(rays, "trees").empty()) return {};
     std::string figures;
-    for (const char* form : {"kd", "wide"}) {
+    for (const char* form : {"kd", "bvh8"}) {
         const json chart = make_cost_ray_chart(scene, form);
         if (chart.is_null()) continue;
         figures += figure(fmt::format("{}-cost-ray-{}", series.key, form),

@@ -5,7 +5,7 @@
 #include <span>
 #include <type_traits>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// A large piece of uninitialized memory, aligned to at least 64 bytes and in huge pages where it
 /// is large and the system has them. Owns it; can give back its end. What it is used for may change
@@ -39,4 +39,4 @@ private:
     std::size_t byte_count_ = 0;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

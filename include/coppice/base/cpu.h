@@ -3,15 +3,16 @@
 #include <span>
 #include <string_view>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// Instruction sets that the kernels are compiled for, each with those before it. All give the same
 /// trees and the same hits.
 enum class Isa {
     scalar,  ///< what every processor of the architecture has
-    sse42,   ///< SSE4.2 (x86-64), by which only the wide tree is traced otherwise than by scalar
+    sse42,   ///< SSE4.2 (x86-64), by which only the 8-wide tree is traced otherwise than by scalar
     avx2,    ///< AVX2 and FMA (x86-64)
-    avx512   ///< and AVX-512VL and DQ, by which only the wide tree is traced otherwise than by avx2
+    avx512   ///< and AVX-512VL and DQ, by which only the 8-wide tree is traced otherwise than by
+             ///< avx2
 };
 
 /// The stable lower-case name, e.g. "sse4.2".
@@ -25,4 +26,4 @@ enum class Isa {
 /// processor does not have.
 [[nodiscard]] Isa choose_isa();
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

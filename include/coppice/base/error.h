@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// What kind of failure an Error reports. The values are stable across releases.
 enum class ErrorCode {
@@ -40,4 +40,4 @@ private:
 [[nodiscard]] Error file_error(ErrorCode code, std::string_view file, std::size_t line,
                                std::string_view message);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

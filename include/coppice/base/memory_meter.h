@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// Counts the bytes that the arrays of a build hold, and the most they ever held together. Those
 /// who allocate tell it (MeteredBytes); it is passed along by pointer, and without one nothing is
@@ -82,4 +82,4 @@ private:
 /// Linux); 0 where the system does not tell.
 [[nodiscard]] std::uint64_t process_peak_bytes() noexcept;
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

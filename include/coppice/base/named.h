@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 // What all registries of named entries have in common; an entry has a member `name`.
 
@@ -33,4 +33,4 @@ template <typename Entry>
                                                  "'; there are: " + names_of(entries));
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

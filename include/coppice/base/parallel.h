@@ -6,14 +6,14 @@
 #include <span>
 #include <stop_token>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// The number of hardware threads this process may use; at least 1.
 [[nodiscard]] int hardware_thread_count() noexcept;
 
 /// Runs `work` with at most `thread_count` threads for everything parallel inside it
 /// (0 = all hardware threads). Exceptions of `work` reach the caller. Once a stop is requested, no
-/// task inside begins any more, those that run end at their next throw_if_stopped(), and
+/// task inside begins any more, those that run end at their next throw_if_cancelled(), and
 /// Error(cancelled) is thrown.
 void run_with_threads(int thread_count, const std::function<void()>& work,
                       const std::stop_token& stop = {});
@@ -21,7 +21,7 @@ void run_with_threads(int thread_count, const std::function<void()>& work,
 /// Throws Error(cancelled) if the parallel work that this is part of is being given up, because a
 /// stop was requested or another task of it threw; takes a few nanoseconds. All functions below do
 /// so when they are done: who gets past them has all of the result.
-void throw_if_stopped();
+void throw_if_cancelled();
 
 /// Runs both tasks, possibly at the same time, and returns when both are done.
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second);
@@ -34,4 +34,4 @@ void parallel_for_chunks(std::size_t count, std::size_t chunk_size,
 /// Sorts numbers in ascending order, in parallel where there are many.
 void parallel_sort(std::span<std::uint64_t> values);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// A uniformly distributed 64-bit word that depends on (seed, counter) alone: the counter-based
 /// generator behind every random choice, so that results do not depend on threads or order.
@@ -23,4 +23,4 @@ namespace coppice {
     return static_cast<double>(random_bits(seed, counter) >> 11) * 0x1.0p-53;
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// A stopwatch on the monotonic wall clock, running from its construction.
 class Timer {
@@ -34,4 +34,4 @@ private:
     double start_ = process_cpu_seconds();
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -2,19 +2,19 @@
 
 #include "coppice/cost/sah_cost_model.h"
 #include "coppice/cost/tree_statistics.h"
+#include "coppice/tree/bvh8.h"
 #include "coppice/tree/kd_tree.h"
-#include "coppice/tree/wide_bvh.h"
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// Counts a tree and computes its cost bottom-up: C(leaf) = t_isect n, C(inner) = t_trav +
 /// SA(below)/SA C(below) + SA(above)/SA C(above). Children of a node without area (a line, a
 /// point) count nothing: no ray meets them. Source: [Tsiompikas2022] eq. 4 to 6.
 [[nodiscard]] TreeStatistics measure(const KdTree& tree, const SahCostModel& model);
 
-/// The same of a wide tree: nodes of eight as inner nodes, leaf slots as leaves, and a block of
+/// The same of a 8-wide tree: nodes of eight as inner nodes, leaf slots as leaves, and a block of
 /// eight triangles as what costs one intersection, for that is how they are tested. A reference is
 /// a triangle in a leaf.
-[[nodiscard]] TreeStatistics measure(const WideBvh& tree, const SahCostModel& model);
+[[nodiscard]] TreeStatistics measure(const Bvh8& tree, const SahCostModel& model);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

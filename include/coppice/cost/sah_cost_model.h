@@ -2,7 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// The surface area heuristic's constants, in the same arbitrary unit of time.
 /// Source: [MacDonaldBooth1990], [WaldHavran2006] sec. 3.
@@ -33,4 +33,4 @@ void check(const SahCostModel& model);
 /// Serializes a model, all constants under their own names.
 void to_json(nlohmann::json& json, const SahCostModel& model);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// What a tree is made of and what a random line through its box is expected to cost.
 /// Expectations are per ray that meets the tree's box, by the surface area heuristic.
@@ -31,4 +31,4 @@ struct TreeStatistics {
 /// Serializes all fields under their own names.
 void to_json(nlohmann::json& json, const TreeStatistics& statistics);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

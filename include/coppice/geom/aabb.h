@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <limits>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// A plane perpendicular to an axis.
-struct Plane {
+struct SplitPlane {
     Axis axis = Axis::x;
     float position = 0.0F;
 
-    friend constexpr bool operator==(const Plane&, const Plane&) = default;
+    friend constexpr bool operator==(const SplitPlane&, const SplitPlane&) = default;
 };
 
 /// An axis-aligned box, closed on all sides. The empty box is lower = +inf, upper = -inf.
@@ -82,13 +82,13 @@ struct Aabb {
 };
 
 /// The part of the box on the lower side of a plane that cuts it.
-[[nodiscard]] constexpr Aabb below(Aabb box, Plane plane) noexcept {
+[[nodiscard]] constexpr Aabb below(Aabb box, SplitPlane plane) noexcept {
     box.upper[plane.axis] = plane.position;
     return box;
 }
 
 /// The part of the box on the upper side of a plane that cuts it.
-[[nodiscard]] constexpr Aabb above(Aabb box, Plane plane) noexcept {
+[[nodiscard]] constexpr Aabb above(Aabb box, SplitPlane plane) noexcept {
     box.lower[plane.axis] = plane.position;
     return box;
 }
@@ -103,4 +103,4 @@ struct Aabb {
     return common;
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

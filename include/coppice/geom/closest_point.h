@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// The part of a triangle that a point of it belongs to. Edge i runs from corner i to corner i + 1.
 enum class TriangleFeature : std::uint8_t {
@@ -31,4 +31,4 @@ struct ClosestPoint {
 /// squared distance to it. Triangles without area are the segments or points they are.
 [[nodiscard]] ClosestPoint closest_point(const Triangle& triangle, Vec3f to) noexcept;
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -3,7 +3,7 @@
 #include "coppice/geom/aabb.h"
 #include "coppice/geom/triangle.h"
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// True if a triangle and a closed box have a point in common, as far as double precision can tell:
 /// where they touch, or miss each other by less than 2^-48 of their distances and sizes, they
@@ -12,4 +12,4 @@ namespace coppice {
 /// Source: [AkenineMoller2001].
 [[nodiscard]] bool overlaps(const Triangle& triangle, const Aabb& box) noexcept;
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

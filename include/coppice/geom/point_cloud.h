@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// Points that are not owned and must outlive the view. Satisfies PrimitiveSet: primitive i is
 /// point i.
@@ -44,4 +44,4 @@ private:
 [[nodiscard]] std::vector<Vec3f> shuffled_distinct_points(std::span<const Vec3f> points,
                                                           std::uint64_t seed);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

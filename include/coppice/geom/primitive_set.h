@@ -7,7 +7,7 @@
 #include <memory>
 #include <span>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// A set of primitives that trees can be built on. Ids run from 0 to size() - 1.
 /// - `bounds(id)` is the primitive's box: finite, never empty.
@@ -76,4 +76,4 @@ private:
     const Calls* calls_;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// The points origin + t * direction with t in [t_min, t_max]. The direction need not have unit
 /// length; t is measured in multiples of it.
@@ -60,4 +60,4 @@ struct Hit {
     friend bool operator==(const Hit&, const Hit&) = default;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

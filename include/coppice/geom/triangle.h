@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// Three corners in space.
 using Triangle = std::array<Vec3f, 3>;
@@ -67,4 +67,4 @@ private:
 [[nodiscard]] std::optional<Hit> intersect_triangle(const Ray& ray,
                                                     const Triangle& triangle) noexcept;
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// Three indices into a vertex array.
 using TriangleIndices = std::array<std::uint32_t, 3>;
@@ -64,4 +64,4 @@ struct TriangleMesh {
 /// The box of the given points; empty for none.
 [[nodiscard]] Aabb bounds_of(std::span<const Vec3f> points) noexcept;
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

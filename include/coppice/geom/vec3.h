@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// A coordinate axis; the values index the components of a vector.
 enum class Axis : std::uint8_t { x = 0, y = 1, z = 2 };
@@ -69,4 +69,4 @@ template <typename T>
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

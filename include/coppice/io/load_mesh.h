@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 struct MeshAttributes;
 
 /// How often something odd but legal was met in a file, and the first places of it.
-struct Oddity {
+struct LoadIssue {
     static constexpr std::size_t kept_places = 8;
 
     std::uint64_t count = 0;
@@ -35,12 +35,13 @@ struct LoadReport {
     std::uint64_t vertex_count = 0;
     std::uint64_t face_count = 0;      ///< faces in the file, before polygons become triangles
     std::uint64_t triangle_count = 0;  ///< triangles in the mesh
-    Oddity polygons;             ///< faces of more than three corners, cut into fans (face ids)
-    Oddity degenerate_faces;     ///< faces of fewer than three corners, not triangles (face ids)
-    Oddity zero_area_triangles;  ///< kept: they are primitives that no ray hits (triangle ids)
-    Oddity duplicate_triangles;  ///< kept: same corner positions as an earlier one, in any order
-    Oddity duplicate_vertices;   ///< kept: same position as an earlier vertex; -0 and +0 are equal
-    Oddity unused_vertices;      ///< kept: in no triangle (none of a point cloud counts)
+    LoadIssue polygons;             ///< faces of more than three corners, cut into fans (face ids)
+    LoadIssue degenerate_faces;     ///< faces of fewer than three corners, not triangles (face ids)
+    LoadIssue zero_area_triangles;  ///< kept: they are primitives that no ray hits (triangle ids)
+    LoadIssue duplicate_triangles;  ///< kept: same corner positions as an earlier one, in any order
+    LoadIssue
+        duplicate_vertices;     ///< kept: same position as an earlier vertex; -0 and +0 are equal
+    LoadIssue unused_vertices;  ///< kept: in no triangle (none of a point cloud counts)
     std::uint64_t negative_index_count = 0;   ///< relative (negative) OBJ indices, resolved
     std::uint64_t ignored_line_count = 0;     ///< OBJ statements other than v and f
     std::uint64_t ignored_element_count = 0;  ///< rows of PLY elements that hold no triangles
@@ -49,8 +50,8 @@ struct LoadReport {
     std::vector<std::string> warnings;        ///< the first of them
 };
 
-/// Serializes an oddity as {"count": n, "first": [...]}.
-void to_json(nlohmann::json& json, const Oddity& oddity);
+/// Serializes an issue as {"count": n, "first": [...]}.
+void to_json(nlohmann::json& json, const LoadIssue& issue);
 
 /// Serializes a report, all fields under their own names.
 void to_json(nlohmann::json& json, const LoadReport& report);
@@ -72,4 +73,4 @@ void to_json(nlohmann::json& json, const LoadReport& report);
                                      LoadReport* report = nullptr,
                                      MeshAttributes* attributes = nullptr);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

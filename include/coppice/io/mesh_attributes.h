@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// How a surface looks, in the terms of MTL, the material files of OBJ. Colours are linear.
 struct Material {
@@ -35,4 +35,4 @@ struct MeshAttributes {
     std::vector<std::string> warnings;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

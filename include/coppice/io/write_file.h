@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// Writes `contents` to a temporary name beside `file`, then renames it over `file`: readers see
 /// the old file or the whole new one. Throws Error(io), and leaves no temporary file behind.
@@ -24,4 +24,4 @@ void write_files(std::span<const FileContents> files);
 /// replace.
 [[nodiscard]] std::filesystem::path write_target(const std::filesystem::path& file);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

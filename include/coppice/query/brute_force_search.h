@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// All triangles within a distance of a point, by testing every one: the oracle of MeshSearch. In
 /// order of distance, equally near ones by id.
@@ -28,4 +28,4 @@ namespace coppice {
 [[nodiscard]] std::vector<std::uint32_t> brute_force_overlapping(PointCloudView points,
                                                                  const Aabb& box);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

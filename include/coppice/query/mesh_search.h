@@ -4,7 +4,7 @@
 #include "coppice/geom/aabb.h"
 #include "coppice/query/neighbor.h"
 #include "coppice/query/visitor.h"
-#include "coppice/tree/wide_bvh.h"
+#include "coppice/tree/bvh8.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,11 +13,11 @@
 #include <span>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 struct MeshSearchKernels;
 
-/// Finds triangles by their place with a wide tree: the nearest, the k nearest, those within a
+/// Finds triangles by their place with a 8-wide tree: the nearest, the k nearest, those within a
 /// distance, those that overlap a box. What is found equals brute_force_*() to the bit, on every
 /// instruction set: distances are those of closest_point(), overlaps those of overlaps(), and of
 /// equally near triangles the lowest id comes first.
@@ -32,10 +32,10 @@ public:
 
     /// Keeps the tree's arrays alive. Notes which triangles are in several leaves, in O(triangles)
     /// and a bit for each. Throws Error(invalid_argument) like choose_isa().
-    explicit MeshSearch(WideBvh tree);
+    explicit MeshSearch(Bvh8 tree);
 
     /// The same with the kernels of one of available_isas().
-    MeshSearch(WideBvh tree, Isa isa);
+    MeshSearch(Bvh8 tree, Isa isa);
 
     /// The triangle nearest to a point, if one is within `max_distance`.
     [[nodiscard]] SurfaceNeighbor nearest(Vec3f point,
@@ -71,12 +71,12 @@ public:
     void overlapping(std::span<const Aabb> boxes, std::span<std::uint32_t> found,
                      std::span<std::uint32_t> counts, int threads = 0) const;
 
-    [[nodiscard]] const WideBvh& tree() const noexcept { return tree_; }
+    [[nodiscard]] const Bvh8& tree() const noexcept { return tree_; }
 
 private:
-    WideBvh tree_;
+    Bvh8 tree_;
     std::shared_ptr<const std::vector<std::uint64_t>> repeated_;  // a bit by id; empty if none is
     const MeshSearchKernels* kernels_;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

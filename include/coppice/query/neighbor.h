@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// A point of a cloud near to another point. Results compare by distance, equally near ones by id.
 struct Neighbor {
@@ -36,4 +36,4 @@ struct SurfaceNeighbor {
     }
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 struct PointSearchKernels;
 struct SearchedPoints;
@@ -82,4 +82,4 @@ private:
     const PointSearchKernels* kernels_;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

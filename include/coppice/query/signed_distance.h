@@ -8,7 +8,7 @@
 #include <memory>
 #include <span>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 class ClosedSurface;
 
@@ -48,4 +48,4 @@ private:
     std::shared_ptr<const ClosedSurface> surface_;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

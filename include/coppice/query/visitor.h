@@ -4,7 +4,7 @@
 #include <memory>
 #include <type_traits>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// Any callable, also a function, that takes a `const T&`, by reference, for the length of a call:
 /// how queries hand over what they find without allocating. A callable that returns a bool ends the
@@ -41,4 +41,4 @@ private:
     bool (*call_)(void*, const T&);
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

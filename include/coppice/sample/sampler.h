@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// How to choose the primitives a tree is built from.
 struct SampleOptions {
@@ -59,4 +59,4 @@ struct SamplerEntry {
 /// Throws Error(invalid_argument) unless 0 < rate <= 1.
 [[nodiscard]] std::uint32_t sample_count(std::uint32_t count, double rate);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "coppice/build/build_options.h"
-#include "coppice/build/build_report.h"
+#include "coppice/builders/build_options.h"
+#include "coppice/builders/build_report.h"
 #include "coppice/query/point_search.h"
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// Points together with the k-d tree to search them. Queries are reentrant.
 class PointScene {
@@ -65,4 +65,4 @@ private:
     PointSearch search_;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -1,27 +1,27 @@
 #pragma once
 
-#include "coppice/build/build_control.h"
-#include "coppice/build/build_options.h"
-#include "coppice/build/build_report.h"
+#include "coppice/builders/build_control.h"
+#include "coppice/builders/build_options.h"
+#include "coppice/builders/build_report.h"
 #include "coppice/geom/ray.h"
 #include "coppice/geom/triangle_mesh.h"
 #include "coppice/query/mesh_search.h"
 #include "coppice/query/signed_distance.h"
-#include "coppice/trace/wide_tracer.h"
-#include "coppice/tree/wide_bvh.h"
+#include "coppice/trace/bvh8_tracer.h"
+#include "coppice/tree/bvh8.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
-/// A mesh together with the wide tree to trace and search it: all that most programs need. Queries
-/// are reentrant.
+/// A mesh together with the 8-wide tree to trace and search it: all that most programs need.
+/// Queries are reentrant.
 class Scene {
 public:
-    /// Takes over the mesh and builds its tree. Throws Error like build_wide_bvh().
+    /// Takes over the mesh and builds its tree. Throws Error like build_bvh8().
     explicit Scene(TriangleMesh mesh, const BuildOptions& options = {},
                    const BuildControl& control = {});
 
@@ -31,7 +31,7 @@ public:
     /// True if anything lies on the ray.
     [[nodiscard]] bool occluded(const Ray& ray) const noexcept;
 
-    /// The first `hits.size()` hits that come after `*after`; see WideTracer, also for the three
+    /// The first `hits.size()` hits that come after `*after`; see Bvh8Tracer, also for the three
     /// below.
     [[nodiscard]] std::size_t intersect_all(const Ray& ray, std::span<Hit> hits,
                                             const Hit* after = nullptr) const noexcept {
@@ -53,7 +53,7 @@ public:
         tracer_.occluded(rays, is_occluded, threads);
     }
 
-    /// The first hits of each ray, as many of each as there is room for; see WideTracer.
+    /// The first hits of each ray, as many of each as there is room for; see Bvh8Tracer.
     void intersect_all(std::span<const Ray> rays, std::span<Hit> hits,
                        std::span<std::size_t> counts, int threads = 1) const {
         tracer_.intersect_all(rays, hits, counts, threads);
@@ -98,7 +98,7 @@ public:
 
     [[nodiscard]] const TriangleMesh& mesh() const noexcept { return mesh_; }
 
-    [[nodiscard]] const WideBvh& tree() const noexcept { return tracer_.tree(); }
+    [[nodiscard]] const Bvh8& tree() const noexcept { return tracer_.tree(); }
 
     /// How the tree was built and what it measures.
     [[nodiscard]] const BuildReport& build_report() const noexcept { return report_; }
@@ -106,8 +106,8 @@ public:
 private:
     TriangleMesh mesh_;
     BuildReport report_;
-    WideTracer tracer_;
+    Bvh8Tracer tracer_;
     MeshSearch search_;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

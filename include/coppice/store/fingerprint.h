@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// What tells the primitives of one tree from those of others: their number, and hashes of the
 /// bytes of their arrays (XXH3, pieces of 1 MiB in parallel). For primitives of your own fill it in
@@ -29,4 +29,4 @@ struct Fingerprint {
 /// What is different, in words for an error: "871414 primitives, not 12"; "" for equal ones.
 [[nodiscard]] std::string difference(const Fingerprint& wanted, const Fingerprint& found);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -1,15 +1,15 @@
 #pragma once
 
 #include "coppice/store/fingerprint.h"
+#include "coppice/tree/bvh8.h"
 #include "coppice/tree/kd_tree.h"
-#include "coppice/tree/wide_bvh.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <variant>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// How a saved tree was built, for those who read it: its loading does not depend on it.
 struct TreeOrigin {
@@ -20,7 +20,7 @@ struct TreeOrigin {
 };
 
 /// A tree of either kind.
-using AnyTree = std::variant<KdTree, WideBvh>;
+using AnyTree = std::variant<KdTree, Bvh8>;
 
 /// A tree that was read from a file, with what the file says of it.
 struct SavedTree {
@@ -36,8 +36,8 @@ struct SavedTree {
 /// The same tree gives the same bytes. Throws Error(io).
 void save_tree(const std::filesystem::path& file, const KdTree& tree, const Fingerprint& primitives,
                const TreeOrigin& origin = {});
-void save_tree(const std::filesystem::path& file, const WideBvh& tree,
-               const Fingerprint& primitives, const TreeOrigin& origin = {});
+void save_tree(const std::filesystem::path& file, const Bvh8& tree, const Fingerprint& primitives,
+               const TreeOrigin& origin = {});
 
 /// Maps a tree file into memory, verifies all checksums, and that no query can leave the arrays
 /// whatever they hold: indices, ranges, depth, ids. The tree keeps the mapping alive; the file may
@@ -51,4 +51,4 @@ void save_tree(const std::filesystem::path& file, const WideBvh& tree,
 /// others.
 [[nodiscard]] SavedTree load_tree(const std::filesystem::path& file, const Fingerprint& primitives);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -8,7 +8,7 @@
 #include <optional>
 #include <span>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// The closest hit of a ray, by testing every triangle: the oracle of all traversals. Of hits at
 /// the same distance the lowest id wins. A bad ray (NaN, zero direction, t_min > t_max) hits
@@ -28,4 +28,4 @@ namespace coppice {
 /// How many triangles are hit.
 [[nodiscard]] std::uint64_t brute_force_count_hits(TriangleMeshView mesh, const Ray& ray) noexcept;
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -10,7 +10,7 @@
 #include <optional>
 #include <span>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 // Queries of a mesh with a k-d tree over its triangles. All are reentrant and allocate nothing; a
 // ray that is not traceable hits nothing.
@@ -62,4 +62,4 @@ void intersect_all(const KdTree& tree, TriangleMeshView mesh, std::span<const Ra
 void count_hits(const KdTree& tree, TriangleMeshView mesh, std::span<const Ray> rays,
                 std::span<std::uint64_t> counts, int threads = 1);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

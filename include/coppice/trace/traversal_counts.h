@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// What traversals did, summed over the rays they are given for.
 struct TraversalCounts {
@@ -20,4 +20,4 @@ struct TraversalCounts {
     friend bool operator==(const TraversalCounts&, const TraversalCounts&) = default;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

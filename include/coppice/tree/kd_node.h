@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// On which side of its plane a node keeps primitives that lie wholly in the plane. Recorded per
 /// node, because build and refill must decide alike.
@@ -32,7 +32,7 @@ public:
 
     /// An inner node whose children are nodes `lower_child` and `lower_child + 1`;
     /// lower_child <= max_payload.
-    [[nodiscard]] static KdNode make_inner(Plane plane, PlanarSide planar_side,
+    [[nodiscard]] static KdNode make_inner(SplitPlane plane, PlanarSide planar_side,
                                            std::uint32_t lower_child) noexcept {
         std::uint32_t position_bits = 0;
         std::memcpy(&position_bits, &plane.position, sizeof position_bits);
@@ -54,7 +54,7 @@ public:
     }
 
     /// Inner nodes only.
-    [[nodiscard]] Plane plane() const noexcept { return {axis(), position()}; }
+    [[nodiscard]] SplitPlane plane() const noexcept { return {axis(), position()}; }
 
     /// Inner nodes only.
     [[nodiscard]] PlanarSide planar_side() const noexcept {
@@ -97,4 +97,4 @@ private:
 
 static_assert(sizeof(KdNode) == 8);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

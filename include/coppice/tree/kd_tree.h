@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// An immutable k-d tree: nodes, the references of its leaves, and its box. It knows no
 /// primitives; references are ids into the set it was built for.
@@ -93,4 +93,4 @@ private:
     Aabb bounds_;
 };
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -2,17 +2,17 @@
 
 #include "coppice/geom/primitive_set.h"
 #include "coppice/geom/triangle_mesh.h"
+#include "coppice/tree/bvh8.h"
 #include "coppice/tree/kd_tree.h"
-#include "coppice/tree/wide_bvh.h"
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// What validate() can find wrong with a tree.
-enum class FindingKind {
+enum class ValidationIssueKind {
     bad_child,              ///< a child index out of range, shared, or not after its parent
     unreachable_node,       ///< a node that no walk from the root meets
     too_deep,               ///< a node below KdTree::max_depth
@@ -25,31 +25,31 @@ enum class FindingKind {
     stray_reference,        ///< a leaf refers to a primitive that does not touch its box
     lost_primitive,         ///< a primitive in no leaf
     bounds_too_small,       ///< a primitive that leaves the tree's box
-    box_outside,            ///< a wide node's child box that leaves its parent's
+    box_outside,            ///< an 8-wide node's child box that leaves its parent's
     wrong_corners,          ///< a block whose corners are not those of its triangles
 };
 
 /// The stable lower-case name of a kind of finding, e.g. "lost_primitive".
-[[nodiscard]] const char* finding_name(FindingKind kind) noexcept;
+[[nodiscard]] const char* finding_name(ValidationIssueKind kind) noexcept;
 
 /// One thing wrong with a tree, in words, with what it is about: the id of a primitive for
 /// lost_primitive and bounds_too_small; the index of a reference of a k-d tree for
-/// unreachable_reference; the index of a block of a wide tree for unreachable_reference,
+/// unreachable_reference; the index of a block of a 8-wide tree for unreachable_reference,
 /// bad_reference and wrong_corners; else that of a node.
-struct Finding {
-    FindingKind kind;
+struct ValidationIssue {
+    ValidationIssueKind kind;
     std::uint64_t subject = 0;
     std::string message;
 };
 
 /// All that is wrong with a tree over `primitives`, at most `limit` findings; none for a sound
 /// tree. Cost: one descent of all primitives, O(N log N). Never throws on a malformed tree.
-[[nodiscard]] std::vector<Finding> validate(const KdTree& tree, PrimitiveSetView primitives,
-                                            std::size_t limit = 100);
+[[nodiscard]] std::vector<ValidationIssue> validate(const KdTree& tree, PrimitiveSetView primitives,
+                                                    std::size_t limit = 100);
 
-/// The same for a wide tree over the triangles of `mesh`. A triangle counts as lost unless its
+/// The same for a 8-wide tree over the triangles of `mesh`. A triangle counts as lost unless its
 /// corners and the middle of its edges each lie in the box of a leaf that refers to it.
-[[nodiscard]] std::vector<Finding> validate(const WideBvh& tree, TriangleMeshView mesh,
-                                            std::size_t limit = 100);
+[[nodiscard]] std::vector<ValidationIssue> validate(const Bvh8& tree, TriangleMeshView mesh,
+                                                    std::size_t limit = 100);
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

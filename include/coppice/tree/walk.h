@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// A node met on a walk: its index, its box and its depth (the root's is 0).
 struct VisitedNode {
@@ -22,7 +22,7 @@ void walk_below(std::span<const KdNode> nodes, const VisitedNode& at, Visit&& vi
     visit(at);
     const KdNode& node = nodes[at.index];
     if (node.is_leaf()) return;
-    const Plane plane = node.plane();
+    const SplitPlane plane = node.plane();
     walk_below(nodes, {node.lower_child(), below(at.box, plane), at.depth + 1}, visit);
     walk_below(nodes, {node.upper_child(), above(at.box, plane), at.depth + 1}, visit);
 }
@@ -33,4 +33,4 @@ void walk(const KdTree& tree, Visit&& visit) {
     walk_below(tree.nodes(), {0, tree.bounds(), 0}, visit);
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

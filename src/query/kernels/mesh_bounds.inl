@@ -8,7 +8,7 @@
 // double: all that rounding can do, here and there, is taken off it or, where it is relative, put
 // onto the limit that bounds are compared with.
 
-using LaneFloats = std::array<float, wide_width>;
+using LaneFloats = std::array<float, bvh8_width>;
 
 // By value, unlike those of std: loops over lanes need that.
 inline float smaller(float a, float b) noexcept {
@@ -26,7 +26,7 @@ inline float sum_of_abs(Vec3f v) noexcept {
 // Bit i is set if lanes[i] <= limit.
 inline unsigned mask_within(const LaneFloats& lanes, float limit) noexcept {
     unsigned mask = 0;
-    for (unsigned lane = 0; lane < wide_width; ++lane) {
+    for (unsigned lane = 0; lane < bvh8_width; ++lane) {
         mask |= (lanes[lane] <= limit ? 1U : 0U) << lane;
     }
     return mask;
@@ -67,7 +67,7 @@ private:
 // Lower bounds of the squared distances to the boxes of all children. Each may be off by the
 // rounding of a few operations in float; closest_point() may be off by that of doubles, of which
 // the subtrahend takes care. Empty slots are at infinity.
-inline void bound_boxes(const WideNode& node, const ScaledPoint& point,
+inline void bound_boxes(const Bvh8Node& node, const ScaledPoint& point,
                         LaneFloats& bounds) noexcept {
     constexpr float rounding = 0x1.0p-44F;
     const float scale = point.scale();
@@ -75,7 +75,7 @@ inline void bound_boxes(const WideNode& node, const ScaledPoint& point,
         const float gap = larger(lower * scale - at, at - upper * scale) - rounding;
         return gap > 0.0F ? gap : 0.0F;
     };
-    for (std::size_t lane = 0; lane < wide_width; ++lane) {
+    for (std::size_t lane = 0; lane < bvh8_width; ++lane) {
         const float x = outside(node.bound[0][lane], node.bound[3][lane], point.at().x);
         const float y = outside(node.bound[1][lane], node.bound[4][lane], point.at().y);
         const float z = outside(node.bound[2][lane], node.bound[5][lane], point.at().z);
@@ -127,7 +127,7 @@ inline void bound_triangles(const TriangleBlock& block, const ScaledPoint& point
         return Vec3f{axes[0][lane] * scale - point.at().x, axes[1][lane] * scale - point.at().y,
                      axes[2][lane] * scale - point.at().z};
     };
-    for (std::size_t lane = 0; lane < wide_width; ++lane) {
+    for (std::size_t lane = 0; lane < bvh8_width; ++lane) {
         const Vec3f a = corner(0, lane);
         const Vec3f b = corner(1, lane);
         const Vec3f c = corner(2, lane);

@@ -1,6 +1,6 @@
 #include "query/kernels/mesh_search.h"
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 const MeshSearchKernels& mesh_search_kernels_for([[maybe_unused]] Isa isa) noexcept {
 #if defined(__x86_64__)
@@ -9,4 +9,4 @@ const MeshSearchKernels& mesh_search_kernels_for([[maybe_unused]] Isa isa) noexc
     return scalar_mesh_search_kernels();
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

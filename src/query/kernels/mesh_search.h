@@ -4,17 +4,17 @@
 #include "coppice/geom/aabb.h"
 #include "coppice/query/neighbor.h"
 #include "coppice/query/visitor.h"
-#include "coppice/tree/wide_bvh.h"
+#include "coppice/tree/bvh8.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
-/// A wide tree to search, and which of its triangles are in several leaves.
+/// A 8-wide tree to search, and which of its triangles are in several leaves.
 struct SearchedMesh {
-    const WideBvh& tree;
+    const Bvh8& tree;
     std::span<const std::uint64_t> repeated;  ///< a bit by id; empty if none is
 
     [[nodiscard]] bool is_repeated(std::uint32_t id) const noexcept {
@@ -22,7 +22,7 @@ struct SearchedMesh {
     }
 };
 
-/// The searches of a wide tree for one instruction set. Points are finite, boxes not empty, spans
+/// The searches of a 8-wide tree for one instruction set. Points are finite, boxes not empty, spans
 /// have room; `limit` is a squared distance.
 struct MeshSearchKernels {
     void (*nearest)(const SearchedMesh&, Vec3f point, double limit, SurfaceNeighbor&) noexcept;
@@ -40,4 +40,4 @@ struct MeshSearchKernels {
 [[nodiscard]] const MeshSearchKernels& scalar_mesh_search_kernels() noexcept;
 [[nodiscard]] const MeshSearchKernels& avx2_mesh_search_kernels() noexcept;
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

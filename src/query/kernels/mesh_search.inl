@@ -8,13 +8,13 @@
 // first block that the query reaches counts. Source: [Roussopoulos1995] sec. 3 and 4 (there depth
 // first with sorted branches, too).
 //
-// Stack: an inner node leaves at most 7 entries, and no node is deeper than WideBvh::max_depth.
+// Stack: an inner node leaves at most 7 entries, and no node is deeper than Bvh8::max_depth.
 
-constexpr std::size_t max_stack = (wide_width - 1) * (WideBvh::max_depth + 1);
+constexpr std::size_t max_stack = (bvh8_width - 1) * (Bvh8::max_depth + 1);
 
 inline unsigned lanes_with_triangle(const TriangleBlock& block) noexcept {
     unsigned mask = 0;
-    for (unsigned lane = 0; lane < wide_width; ++lane) {
+    for (unsigned lane = 0; lane < bvh8_width; ++lane) {
         mask |= (block.id[lane] != TriangleBlock::no_triangle ? 1U : 0U) << lane;
     }
     return mask;
@@ -25,9 +25,9 @@ inline std::size_t lowest_lane(unsigned mask) noexcept {
 }
 
 // Bit i is set if the box of child i overlaps a box.
-inline unsigned mask_overlapping(const WideNode& node, const Aabb& box) noexcept {
+inline unsigned mask_overlapping(const Bvh8Node& node, const Aabb& box) noexcept {
     unsigned mask = 0;
-    for (unsigned lane = 0; lane < wide_width; ++lane) {
+    for (unsigned lane = 0; lane < bvh8_width; ++lane) {
         const unsigned x = (node.bound[0][lane] <= box.upper.x ? 1U : 0U) &
                            (node.bound[3][lane] >= box.lower.x ? 1U : 0U);
         const unsigned y = (node.bound[1][lane] <= box.upper.y ? 1U : 0U) &
@@ -41,12 +41,12 @@ inline unsigned mask_overlapping(const WideNode& node, const Aabb& box) noexcept
 
 // Bit i is set if the box of triangle i overlaps a box; of lanes without a triangle it may be.
 inline unsigned mask_overlapping(const TriangleBlock& block, const Aabb& box) noexcept {
-    std::array<unsigned, wide_width> is_apart{};
+    std::array<unsigned, bvh8_width> is_apart{};
     for (const Axis axis : all_axes) {
         const auto row = static_cast<std::size_t>(axis);
         const float lower = box.lower[axis];
         const float upper = box.upper[axis];
-        for (std::size_t lane = 0; lane < wide_width; ++lane) {
+        for (std::size_t lane = 0; lane < bvh8_width; ++lane) {
             const float a = block.corner[0][row][lane];
             const float b = block.corner[1][row][lane];
             const float c = block.corner[2][row][lane];
@@ -55,7 +55,7 @@ inline unsigned mask_overlapping(const TriangleBlock& block, const Aabb& box) no
         }
     }
     unsigned mask = 0;
-    for (unsigned lane = 0; lane < wide_width; ++lane) {
+    for (unsigned lane = 0; lane < bvh8_width; ++lane) {
         mask |= (1U - is_apart[lane]) << lane;
     }
     return mask;
@@ -64,14 +64,14 @@ inline unsigned mask_overlapping(const TriangleBlock& block, const Aabb& box) no
 // Calls `visit` with the leaves that a query reaches, until it returns false. `reached_by` gives a
 // mask of the children of a node that the query reaches.
 template <typename ReachedBy, typename Visit>
-inline void visit_leaves(const WideBvh& tree, const ReachedBy& reached_by,
+inline void visit_leaves(const Bvh8& tree, const ReachedBy& reached_by,
                          const Visit& visit) noexcept {
-    std::array<WideChild, max_stack> stack;
-    stack[0] = WideChild::make_inner(0);
+    std::array<Bvh8Child, max_stack> stack;
+    stack[0] = Bvh8Child::make_inner(0);
     for (std::size_t size = 1; size > 0;) {
-        const WideNode& node = tree.nodes()[stack[--size].node()];
+        const Bvh8Node& node = tree.nodes()[stack[--size].node()];
         for (unsigned rest = reached_by(node); rest != 0; rest &= rest - 1) {
-            const WideChild child = node.child[lowest_lane(rest)];
+            const Bvh8Child child = node.child[lowest_lane(rest)];
             if (child.is_empty()) break;  // so are all after it
             if (!child.is_leaf()) {
                 stack[size++] = child;
@@ -85,14 +85,14 @@ inline void visit_leaves(const WideBvh& tree, const ReachedBy& reached_by,
 // True unless a query that reaches a triangle in one block reaches it in an earlier block, too:
 // asked of triangles in several leaves, so that each is reported once.
 template <typename ReachedBy>
-inline bool is_first_mention(const WideBvh& tree, const ReachedBy& reached_by,
+inline bool is_first_mention(const Bvh8& tree, const ReachedBy& reached_by,
                              const TriangleBlock& block, std::size_t lane) noexcept {
     const std::uint32_t id = block.id[lane];
     const Aabb box = triangle_bounds(block.triangle(lane));
     bool is_first = true;
     visit_leaves(
-        tree, [&](const WideNode& node) { return reached_by(node) & mask_overlapping(node, box); },
-        [&](WideChild leaf) {
+        tree, [&](const Bvh8Node& node) { return reached_by(node) & mask_overlapping(node, box); },
+        [&](Bvh8Child leaf) {
             const TriangleBlock* other = &tree.blocks()[leaf.first_block()];
             const TriangleBlock* end = other + leaf.block_count();
             for (; other != end && other < &block; ++other) {
@@ -148,7 +148,7 @@ struct AllWithin {
     void offer(const SurfaceNeighbor& other, const TriangleBlock& block,
                std::size_t lane) noexcept {
         if (is_ended || other.distance_squared > reach) return;
-        const auto reached_by = [&](const WideNode& node) {
+        const auto reached_by = [&](const Bvh8Node& node) {
             LaneFloats bounds;
             bound_boxes(node, point, bounds);
             return mask_within(bounds, point.scaled_up(reach));
@@ -163,7 +163,7 @@ struct AllWithin {
 template <typename Keeper>
 class Search {
 public:
-    Search(const WideBvh& tree, Vec3f point, Keeper& keeper) noexcept
+    Search(const Bvh8& tree, Vec3f point, Keeper& keeper) noexcept
         : tree_(tree),
           from_(point),
           point_(point, tree.bounds()),
@@ -171,7 +171,7 @@ public:
           limit_(point_.scaled_up(keeper.limit())) {}
 
     void run() noexcept {
-        Entry at{0.0F, WideChild::make_inner(0)};
+        Entry at{0.0F, Bvh8Child::make_inner(0)};
         do {
             while (!at.child.is_leaf()) {
                 if (!step_down(tree_.nodes()[at.child.node()], at)) break;
@@ -183,7 +183,7 @@ public:
 private:
     struct Entry {
         float bound;
-        WideChild child;
+        Bvh8Child child;
     };
 
     // The next entry that is near enough, or false.
@@ -197,7 +197,7 @@ private:
 
     // Goes on to the nearest child and leaves the others on the stack, the nearer ones on top;
     // false if none is near enough.
-    bool step_down(const WideNode& node, Entry& at) noexcept {
+    bool step_down(const Bvh8Node& node, Entry& at) noexcept {
         LaneFloats bounds;
         bound_boxes(node, point_, bounds);
         const unsigned mask = mask_within(bounds, limit_);
@@ -219,7 +219,7 @@ private:
         return true;
     }
 
-    void visit_leaf(WideChild leaf) noexcept {
+    void visit_leaf(Bvh8Child leaf) noexcept {
         const TriangleBlock* block = &tree_.blocks()[leaf.first_block()];
         for (std::uint32_t count = leaf.block_count(); count > 0; --count, ++block) {
             visit_block(*block);
@@ -252,7 +252,7 @@ private:
         limit_ = point_.scaled_up(keeper_.limit());
     }
 
-    const WideBvh& tree_;
+    const Bvh8& tree_;
     Vec3f from_;
     ScaledPoint point_;
     Keeper& keeper_;
@@ -280,12 +280,12 @@ void within(const SearchedMesh& mesh, Vec3f point, double limit,
 }
 
 void overlapping(const SearchedMesh& mesh, const Aabb& box, Visitor<std::uint32_t> visit) noexcept {
-    const auto reached_by = [&](const WideNode& node) { return mask_overlapping(node, box); };
+    const auto reached_by = [&](const Bvh8Node& node) { return mask_overlapping(node, box); };
     const auto is_new = [&](const TriangleBlock& block, std::size_t lane) {
         return !mesh.is_repeated(block.id[lane]) ||
                is_first_mention(mesh.tree, reached_by, block, lane);
     };
-    visit_leaves(mesh.tree, reached_by, [&](WideChild leaf) {
+    visit_leaves(mesh.tree, reached_by, [&](Bvh8Child leaf) {
         const TriangleBlock* block = &mesh.tree.blocks()[leaf.first_block()];
         for (std::uint32_t count = leaf.block_count(); count > 0; --count, ++block) {
             const unsigned near = mask_overlapping(*block, box);

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <utility>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 COPPICE_BEGIN_AVX2
 
@@ -31,6 +31,6 @@ const MeshSearchKernels& avx2_mesh_search_kernels() noexcept {
     return kernels;
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0
 
 #endif

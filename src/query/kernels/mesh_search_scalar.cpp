@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 #include "query/kernels/mesh_bounds.inl"
@@ -22,4 +22,4 @@ const MeshSearchKernels& scalar_mesh_search_kernels() noexcept {
     return kernels;
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -1,6 +1,6 @@
 #include "query/kernels/point_search.h"
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 const PointSearchKernels& point_search_kernels_for([[maybe_unused]] Isa isa) noexcept {
 #if defined(__x86_64__)
@@ -9,4 +9,4 @@ const PointSearchKernels& point_search_kernels_for([[maybe_unused]] Isa isa) noe
     return scalar_point_search_kernels();
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

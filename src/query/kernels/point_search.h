@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <span>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 /// Points searched at a time. Arrays of coordinates go on for so many beyond the last point.
 inline constexpr std::size_t point_lanes = 8;
@@ -40,4 +40,4 @@ struct PointSearchKernels {
 [[nodiscard]] const PointSearchKernels& scalar_point_search_kernels() noexcept;
 [[nodiscard]] const PointSearchKernels& avx2_point_search_kernels() noexcept;
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <utility>
 
-namespace coppice {
+namespace coppice::inline v0 {
 
 COPPICE_BEGIN_AVX2
 
@@ -27,6 +27,6 @@ const PointSearchKernels& avx2_point_search_kernels() noexcept {
     return kernels;
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0
 
 #endif

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace coppice {
+namespace coppice::inline v0 {
 namespace {
 
 #include "query/kernels/point_search.inl"
@@ -19,4 +19,4 @@ const PointSearchKernels& scalar_point_search_kernels() noexcept {
     return kernels;
 }
 
-}  // namespace coppice
+}  // namespace coppice::inline v0

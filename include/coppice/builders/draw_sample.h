@@ -1,0 +1,13 @@
+#pragma once
+
+#include "coppice/geom/primitive_set.h"
+#include "coppice/sample/sampler.h"
+
+namespace coppice::inline v0 {
+
+/// First stage: chooses the primitives to build from, by the sampler that the options name. Rate 1
+/// gives all of them. Throws Error(invalid_argument) for an unknown sampler or a rate outside
+/// (0, 1].
+[[nodiscard]] Sample draw_sample(PrimitiveSetView primitives, const SampleOptions& options);
+
+}  // namespace coppice::inline v0

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "coppice/base/cpu.h"
+#include "coppice/cost/sah_cost_model.h"
+#include "coppice/geom/aabb.h"
+#include "coppice/tree/kd_node.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace coppice::inline v0 {
+
+/// A primitive's box clipped to the node that refers to it.
+struct PrimRef {
+    Aabb box;
+    std::uint32_t id = 0;
+    float weight = 1.0F;  ///< how many primitives it stands for in costs; >= 1
+};
+
+static_assert(sizeof(PrimRef) == 32);
+
+/// A plane to split a node at, where primitives in the plane go, and what the split costs.
+struct SplitCandidate {
+    SplitPlane plane;
+    PlanarSide planar_side = PlanarSide::below;
+    double cost = 0.0;  ///< SahCostModel::split_cost() of it
+};
+
+/// The sum of the weights; exact, so that it does not depend on their order (see SampleWeighting).
+[[nodiscard]] double weight_of(std::span<const PrimRef> prim_refs) noexcept;
+
+/// A node about to be split: its box (never without area) and its PrimRefs (never none).
+struct SplitQuery {
+    std::span<const PrimRef> prim_refs;
+    Aabb box;
+    const SahCostModel& cost;
+    double acceptable_cost;  ///< a rule that can choose looks further than its first axis until it
+                             ///< finds a split that costs less
+    Isa isa = Isa::scalar;   ///< that the processor has; the split does not depend on it
+};
+
+/// Finds where to split a node. Stateless; called from several threads at once.
+class SplitFinder {
+public:
+    SplitFinder() = default;
+    SplitFinder(const SplitFinder&) = delete;
+    SplitFinder& operator=(const SplitFinder&) = delete;
+    virtual ~SplitFinder() = default;
+
+    /// A plane strictly inside the box, or nothing if the rule has none to offer.
+    [[nodiscard]] virtual std::optional<SplitCandidate> find(const SplitQuery& query) const = 0;
+};
+
+/// A split rule under its name, with one line on what it does.
+struct SplitFinderEntry {
+    std::string_view name;
+    std::string_view summary;
+    const SplitFinder& finder;
+};
+
+/// All split rules; the first is the default.
+[[nodiscard]] std::span<const SplitFinderEntry> split_finder_registry();
+
+/// The rule of that name. Throws Error(invalid_argument) naming those that exist.
+[[nodiscard]] const SplitFinder& find_split_finder(std::string_view name);
+
+}  // namespace coppice::inline v0

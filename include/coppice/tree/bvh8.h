@@ -1,0 +1,153 @@
+#pragma once
+
+#include "coppice/geom/aabb.h"
+#include "coppice/geom/triangle.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace coppice::inline v0 {
+
+/// Children of an 8-wide node, and triangles of a leaf block.
+inline constexpr std::size_t bvh8_width = 8;
+
+/// What a slot of an 8-wide node holds: nothing, an inner node, or a leaf of one or more blocks.
+/// Uninitialized unless made by a factory: traversals have stacks of them.
+class Bvh8Child {
+public:
+    static constexpr std::uint32_t max_node_index = (1U << 31) - 2;
+    static constexpr std::uint32_t max_block_index = (1U << 27) - 1;
+    static constexpr std::uint32_t max_block_count = 16;
+
+    Bvh8Child() = default;
+
+    /// Nothing.
+    [[nodiscard]] static constexpr Bvh8Child make_empty() noexcept { return Bvh8Child(empty_bits); }
+
+    /// An inner node; index <= max_node_index.
+    [[nodiscard]] static constexpr Bvh8Child make_inner(std::uint32_t index) noexcept {
+        return Bvh8Child(index);
+    }
+
+    /// A leaf of `count` blocks from `first` on; first <= max_block_index, 1 <= count <=
+    /// max_block_count.
+    [[nodiscard]] static constexpr Bvh8Child make_leaf(std::uint32_t first,
+                                                       std::uint32_t count) noexcept {
+        return Bvh8Child(leaf_bit | (count - 1) << count_shift | first);
+    }
+
+    [[nodiscard]] constexpr bool is_empty() const noexcept { return bits_ == empty_bits; }
+
+    [[nodiscard]] constexpr bool is_leaf() const noexcept { return (bits_ & leaf_bit) != 0; }
+
+    /// Inner nodes only.
+    [[nodiscard]] constexpr std::uint32_t node() const noexcept { return bits_; }
+
+    /// Leaves only.
+    [[nodiscard]] constexpr std::uint32_t first_block() const noexcept {
+        return bits_ & max_block_index;
+    }
+
+    /// Leaves only.
+    [[nodiscard]] constexpr std::uint32_t block_count() const noexcept {
+        return (bits_ >> count_shift & (max_block_count - 1)) + 1;
+    }
+
+    friend constexpr bool operator==(const Bvh8Child&, const Bvh8Child&) = default;
+
+private:
+    static constexpr std::uint32_t leaf_bit = 1U << 31;
+    static constexpr unsigned count_shift = 27;
+    static constexpr std::uint32_t empty_bits = leaf_bit - 1;  // no node has this index
+
+    explicit constexpr Bvh8Child(std::uint32_t bits) noexcept : bits_(bits) {}
+
+    std::uint32_t bits_;
+};
+
+/// Eight children with their boxes, bound by bound as the kernels load them. Empty slots come last
+/// and have an empty box.
+struct alignas(64) Bvh8Node {
+    std::array<std::array<float, bvh8_width>, 6> bound;  ///< lower x, y, z, upper x, y, z
+    std::array<Bvh8Child, bvh8_width> child;
+    std::array<std::uint32_t, 8> unused{};  ///< up to whole cache lines; 0, so that bytes compare
+
+    /// The box of one child.
+    [[nodiscard]] Aabb child_box(std::size_t slot) const noexcept {
+        return {{bound[0][slot], bound[1][slot], bound[2][slot]},
+                {bound[3][slot], bound[4][slot], bound[5][slot]}};
+    }
+
+    /// Sets one slot.
+    void set(std::size_t slot, const Aabb& box, Bvh8Child what) noexcept {
+        for (const Axis axis : all_axes) {
+            bound[static_cast<std::size_t>(axis)][slot] = box.lower[axis];
+            bound[3 + static_cast<std::size_t>(axis)][slot] = box.upper[axis];
+        }
+        child[slot] = what;
+    }
+};
+
+static_assert(sizeof(Bvh8Node) == 256);
+
+/// Up to eight triangles of a leaf, corner by corner and axis by axis as the kernels load them.
+/// Lanes without a triangle come last; they have the id `no_triangle` and corners of NaN, which no
+/// ray hits.
+struct alignas(64) TriangleBlock {
+    static constexpr std::uint32_t no_triangle = 0xffffffff;
+
+    std::array<std::array<std::array<float, bvh8_width>, 3>, 3> corner;  ///< [corner][axis][lane]
+    std::array<std::uint32_t, bvh8_width> id;
+
+    /// The corners in one lane.
+    [[nodiscard]] Triangle triangle(std::size_t lane) const noexcept {
+        const auto at = [&](std::size_t vertex) {
+            return Vec3f{corner[vertex][0][lane], corner[vertex][1][lane], corner[vertex][2][lane]};
+        };
+        return {at(0), at(1), at(2)};
+    }
+};
+
+static_assert(sizeof(TriangleBlock) == 320);
+
+/// An immutable 8-wide bounding volume hierarchy over triangles, with a copy of their corners:
+/// what rays are traced against. Node 0 is the root; children follow their parents; the blocks of
+/// a leaf stand together. Copies share their arrays.
+class Bvh8 {
+public:
+    /// No node is deeper (the root's depth is 0), so that traversals do with a stack of fixed size.
+    static constexpr int max_depth = 64;
+
+    /// The tree of nothing: a root without children.
+    Bvh8();
+
+    /// A tree in arrays of the order described above, which `storage` keeps alive. Throws
+    /// Error(invalid_argument) if `nodes` is empty; validate() checks the rest.
+    Bvh8(std::shared_ptr<const void> storage, std::span<const Bvh8Node> nodes,
+         std::span<const TriangleBlock> blocks, const Aabb& bounds);
+
+    [[nodiscard]] std::span<const Bvh8Node> nodes() const noexcept { return nodes_; }
+
+    [[nodiscard]] std::span<const TriangleBlock> blocks() const noexcept { return blocks_; }
+
+    /// The box of all triangles.
+    [[nodiscard]] const Aabb& bounds() const noexcept { return bounds_; }
+
+    /// Bytes of nodes and blocks.
+    [[nodiscard]] std::uint64_t byte_count() const noexcept {
+        return nodes_.size_bytes() + blocks_.size_bytes();
+    }
+
+private:
+    std::shared_ptr<const void> storage_;
+    std::span<const Bvh8Node> nodes_;
+    std::span<const TriangleBlock> blocks_;
+    Aabb bounds_;
+};
+
+/// A node without children.
+[[nodiscard]] Bvh8Node make_empty_bvh8_node() noexcept;
+
+}  // namespace coppice::inline v0

@@ -1,0 +1,48 @@
+#include "coppice/builders/build_report.h"
+
+#include <nlohmann/json.hpp>
+
+namespace coppice::inline v0 {
+namespace {
+
+nlohmann::json stage_json(const StageReport& stage) {
+    return {{"wall_seconds", stage.wall_seconds},
+            {"cpu_seconds", stage.cpu_seconds},
+            {"items", stage.items}};
+}
+
+nlohmann::json stages_json(const StageReports& stages) {
+    return {{"sample", stage_json(stages.sample)},
+            {"build", stage_json(stages.build)},
+            {"empty", stage_json(stages.empty)},
+            {"refill", stage_json(stages.refill)},
+            {"refine", stage_json(stages.refine)},
+            {"total",
+             {{"wall_seconds", stages.wall_seconds()}, {"cpu_seconds", stages.cpu_seconds()}}}};
+}
+
+}  // namespace
+
+void to_json(nlohmann::json& json, const BuildEstimate& estimate) {
+    json = {{"references", estimate.references},
+            {"bytes", estimate.bytes},
+            {"peak_bytes", estimate.peak_bytes},
+            {"seconds", estimate.seconds}};
+}
+
+void to_json(nlohmann::json& json, const BuildReport& report) {
+    json = {{"options", report.options},
+            {"method", report.method},
+            {"primitive_count", report.primitive_count},
+            {"sample_count", report.sample_count},
+            {"stages", stages_json(report.stages)},
+            {"tree_bytes", report.tree_bytes},
+            {"peak_bytes", report.peak_bytes},
+            {"preset", name_of(report.preset)},
+            {"preset_reason", report.preset_reason},
+            {"estimate", nullptr},
+            {"statistics", report.statistics}};
+    if (report.estimate) json["estimate"] = *report.estimate;
+}
+
+}  // namespace coppice::inline v0

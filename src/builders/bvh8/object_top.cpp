@@ -1,0 +1,237 @@
+// The top of a 8-wide tree from a sample: a binary tree of object splits over the sampled PrimRefs,
+// each counting 1/p primitives in the costs, and the pass that sends all PrimRefs down it. A cell
+// takes what has its centroid there, so nothing is cut and boxes grow to fit. The descent branches:
+// meshes are coherent, and branches that repeat cost less than the arithmetic that avoids them.
+// Cost: sample size times its depth, then N times the depth of the top.
+// Source: [Tessari2023] sec. 3, [Wald2007] sec. 3.
+
+#include "coppice/base/parallel.h"
+
+#include "builders/bvh8/top_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace coppice::inline v0::bvh8 {
+namespace {
+
+// Fewer sampled PrimRefs do not tell where to split.
+constexpr std::uint32_t min_sampled = 8;
+
+// Half of what a 8-wide tree may have; only hostile scenes come near.
+constexpr int max_top_depth = 32;
+
+float weight_of(std::span<const PrimRef> prim_refs) {
+    float sum = 0.0F;
+    for (const PrimRef& prim_ref : prim_refs) {
+        sum += prim_ref.weight;
+    }
+    return sum;
+}
+
+class TopBuilder {
+public:
+    TopBuilder(const Splitter& splitter, float cell_size)
+        : splitter_(splitter), cell_size_(cell_size) {}
+
+    void build(std::uint32_t slot, const Range& range, int depth) {
+        BinMapping mapping{};
+        const bool is_small = depth == max_top_depth || range.size() < 2 * min_sampled ||
+                              weight_of(splitter_.prim_refs(range)) <= cell_size_;
+        const ObjectSplit split = is_small ? ObjectSplit{} : splitter_.find(range, mapping);
+        if (split.bin == 0) {
+            top_.nodes[slot].index = cell_count_++;
+            return;
+        }
+        const Halves halves = splitter_.divide(range, split, mapping);
+        const auto lower = static_cast<std::uint32_t>(top_.nodes.size());
+        top_.nodes[slot] = {split.axis, mapping.begin_of(split.axis, split.bin), lower};
+        top_.nodes.resize(lower + 2);
+        build(lower, halves.lower, depth + 1);
+        build(lower + 1, halves.upper, depth + 1);
+    }
+
+    [[nodiscard]] TopTree take() && {
+        top_.cell_count = cell_count_;
+        return std::move(top_);
+    }
+
+private:
+    const Splitter& splitter_;
+    float cell_size_;
+    TopTree top_;
+    std::uint32_t cell_count_ = 0;
+};
+
+// Ways to a cell without the descent from the root. A PrimRef is mostly in the cell of the one
+// before, for meshes are coherent. If not, a grid over the sampled centroids gives for each voxel
+// the deepest node that all of its centroids pass.
+class Shortcuts {
+public:
+    // A cell and the sums that lead to it: lower <= sum < upper on every axis.
+    struct Place {
+        std::uint32_t cell = 0;
+        std::array<float, 3> lower{infinity, infinity, infinity};
+        std::array<float, 3> upper{-infinity, -infinity, -infinity};
+    };
+
+    explicit Shortcuts(const TopTree& top)
+        : top_(top), places_(top.cell_count), starts_(resolution * resolution * resolution) {
+        place_cells(0, {0, {-infinity, -infinity, -infinity}, {infinity, infinity, infinity}});
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            origin_[axis] = top.centroids.lower(axis);
+            const float extent = top.centroids.upper(axis) - origin_[axis];
+            const float scale = static_cast<float>(resolution) / extent;
+            scale_[axis] = std::isfinite(scale) ? scale : 0.0F;
+        }
+        for (std::size_t voxel = 0; voxel < starts_.size(); ++voxel) {
+            starts_[voxel] = deepest_node_over(voxel);
+        }
+    }
+
+    // Makes `place` the one of a PrimRef; it may be that already.
+    void find(const PrimRef& prim_ref, Place& place) const {
+        std::array<float, 3> sum;
+        bool is_same = true;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            sum[axis] = prim_ref.upper[axis] - prim_ref.negated_lower[axis];
+            is_same &= (sum[axis] >= place.lower[axis]) & (sum[axis] < place.upper[axis]);
+        }
+        if (!is_same) place = places_[cell_of(sum)];
+    }
+
+private:
+    static constexpr std::size_t resolution = 32;
+    static constexpr float infinity = std::numeric_limits<float>::infinity();
+
+    void place_cells(std::uint32_t index, Place place) {
+        const TopNode& node = top_.nodes[index];
+        if (node.axis == TopNode::is_cell) {
+            place.cell = node.index;
+            places_[node.index] = place;
+            return;
+        }
+        Place lower = place;
+        lower.upper[node.axis] = node.position;
+        place.lower[node.axis] = node.position;
+        place_cells(node.index, lower);
+        place_cells(node.index + 1, place);
+    }
+
+    [[nodiscard]] std::uint32_t cell_of(const std::array<float, 3>& sum) const {
+        std::size_t voxel = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const float at = (sum[axis] - origin_[axis]) * scale_[axis];
+            constexpr auto last = static_cast<float>(resolution - 1);
+            const float clamped = std::max(0.0F, at < last ? at : last);
+            voxel = voxel * resolution + static_cast<std::size_t>(clamped);
+        }
+        const TopNode* node = &top_.nodes[starts_[voxel]];
+        while (node->axis != TopNode::is_cell) {
+            node = &top_.nodes[node->index + (sum[node->axis] < node->position ? 0U : 1U)];
+        }
+        return node->index;
+    }
+
+    [[nodiscard]] std::uint32_t deepest_node_over(std::size_t voxel) const {
+        const std::array<std::size_t, 3> at{voxel / (resolution * resolution),
+                                            voxel / resolution % resolution, voxel % resolution};
+        std::uint32_t index = 0;
+        for (;;) {
+            const TopNode& node = top_.nodes[index];
+            if (node.axis == TopNode::is_cell) return index;
+            const float place = (node.position - origin_[node.axis]) * scale_[node.axis];
+            const auto begin = static_cast<float>(at[node.axis]);
+            // A voxel wider: places are rounded.
+            if (place <= begin - 1.0F && scale_[node.axis] > 0.0F) {
+                index = node.index + 1;
+            } else if (place >= begin + 2.0F) {
+                index = node.index;
+            } else {
+                return index;
+            }
+        }
+    }
+
+    const TopTree& top_;
+    std::vector<Place> places_;  // of each cell
+    std::array<float, 3> origin_{};
+    std::array<float, 3> scale_{};
+    std::vector<std::uint32_t> starts_;
+};
+
+}  // namespace
+
+TopTree build_object_top(std::span<PrimRef> sample, float cell_size, const Kernels& kernels) {
+    std::vector<PrimRef> buffer(sample.size());
+    Splitter measure(sample, buffer, {}, kernels);
+    const Range all = measure.measured(0, static_cast<std::uint32_t>(sample.size()), 0);
+    const Splitter splitter(sample, buffer, {8.0F, false, extent_factor_of(all.box)}, kernels);
+    TopBuilder builder(splitter, cell_size);
+    builder.build(0, all, 0);
+    TopTree top = std::move(builder).take();
+    top.centroids = all.centroids;
+    return top;
+}
+
+std::vector<Range> fill_cells(const TopTree& top, std::span<PrimRef> from, std::span<PrimRef> to) {
+    // Chunks depend on the sizes alone; as many as keep two threads busy and their counts small.
+    const std::size_t chunk_size = std::max<std::size_t>(16384, from.size() / 64);
+    const std::size_t chunk_count = (from.size() + chunk_size - 1) / chunk_size;
+    const std::size_t cell_count = top.cell_count;
+    std::vector<std::uint32_t> places(chunk_count * cell_count);  // [chunk][cell]
+
+    const Shortcuts shortcuts(top);
+    parallel_for_chunks(from.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
+        std::uint32_t* counts = &places[begin / chunk_size * cell_count];
+        Shortcuts::Place place;
+        for (PrimRef& prim_ref : from.subspan(begin, end - begin)) {
+            shortcuts.find(prim_ref, place);
+            const std::uint32_t cell = place.cell;
+            prim_ref.weight = std::bit_cast<float>(cell);  // until it is moved
+            ++counts[cell];
+        }
+    });
+
+    std::vector<Range> cells(cell_count);
+    std::uint32_t next = 0;
+    for (std::size_t cell = 0; cell < cell_count; ++cell) {
+        cells[cell].begin = next;
+        cells[cell].buffer = 1;
+        for (std::size_t chunk = 0; chunk < chunk_count; ++chunk) {
+            std::uint32_t& place = places[chunk * cell_count + cell];
+            place = std::exchange(next, next + place);
+        }
+        cells[cell].end = next;
+        const std::uint64_t spare = to.size() - from.size();
+        cells[cell].spare_above =
+            static_cast<std::uint32_t>(spare * cells[cell].size() / from.size());
+        next += cells[cell].spare_above;
+    }
+
+    parallel_for_chunks(from.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
+        std::uint32_t* place = &places[begin / chunk_size * cell_count];
+        for (const PrimRef& prim_ref : from.subspan(begin, end - begin)) {
+            PrimRef& moved = to[place[std::bit_cast<std::uint32_t>(prim_ref.weight)]++];
+            moved = prim_ref;
+            moved.weight = 1.0F;
+        }
+    });
+    return cells;
+}
+
+void measure_cells(Cells& cells, const Kernels& kernels) {
+    const Splitter splitter(cells.buffers.first(), cells.buffers.second(), {}, kernels);
+    parallel_for_chunks(cells.ranges.size(), 1, [&](std::size_t at, std::size_t /*end*/) {
+        Range& range = cells.ranges[at];
+        const Range measured = splitter.measured(range.begin, range.end, range.buffer);
+        range.box = measured.box;
+        range.centroids = measured.centroids;
+    });
+}
+
+}  // namespace coppice::inline v0::bvh8

@@ -1,0 +1,29 @@
+#include "builders/finite_boxes.h"
+
+#include "coppice/base/error.h"
+#include "coppice/base/parallel.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+
+namespace coppice::inline v0 {
+
+void require_finite_boxes(PrimitiveSetView primitives) {
+    constexpr std::size_t chunk_size = 16384;
+    std::atomic<std::uint32_t> first_bad = primitives.size();
+    parallel_for_chunks(primitives.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
+        auto id = static_cast<std::uint32_t>(begin);
+        while (id < end && primitives.bounds(id).is_finite()) {
+            ++id;
+        }
+        std::uint32_t first = first_bad;
+        while (id < end && id < first && !first_bad.compare_exchange_weak(first, id)) {
+        }
+    });
+    if (first_bad == primitives.size()) return;
+    throw Error(ErrorCode::invalid_argument,
+                fmt::format("primitive {} has no finite box", first_bad.load()));
+}
+
+}  // namespace coppice::inline v0

@@ -1,0 +1,91 @@
+// Sorts the events of all primitives once, then goes down: at each node one sweep over the sorted
+// events finds the plane, and the children's events are filtered from their parent's, so that they
+// need no sorting. Small nodes are left to KdBuilder, whose vectors search them by the same rule.
+// Cost: O(N log N); 80 bytes a PrimRef, of a node and its children at the same time.
+// Source: [WaldHavran2006] sec. 4.3.
+
+#include "builders/kd/exact/exact_builder.h"
+
+#include "coppice/base/parallel.h"
+
+#include "builders/kd/exact/classify.h"
+#include "builders/kd/exact/splice.h"
+#include "builders/kd/exact/sweep.h"
+#include "builders/split/small_node.h"
+
+#include <utility>
+
+namespace coppice::inline v0 {
+
+ExactBuilder::ExactBuilder(PrimitiveSetView primitives, const BuildOptions& options,
+                           const TerminationRule& stop, MemoryMeter* meter, Progress* progress)
+    : division_{primitives, options.split.clipping, meter},
+      cost_(options.cost),
+      stop_(stop),
+      progress_(progress),
+      small_(primitives, options, stop, meter) {}
+
+TreePart ExactBuilder::build(std::vector<PrimRef> prim_refs, const NodeState& node) const {
+    ExactNode root = make_exact_node(std::move(prim_refs));
+    NodeState state = node;
+    if (node.share > 0.0) {
+        constexpr double share_of_sorting = 0.12;
+        progress_->add(share_of_sorting * node.share);
+        state.share = (1.0 - share_of_sorting) * node.share;
+    }
+    return build_node(std::move(root), state);
+}
+
+TreePart ExactBuilder::build_node(ExactNode node, NodeState state) const {
+    const std::size_t count = node.prim_refs.size();
+    if (count < parallel_prim_ref_count && state.share > 0.0) {
+        const double share = std::exchange(state.share, 0.0);  // told of at once
+        TreePart part = build_node(std::move(node), state);
+        progress_->add(share);
+        return part;
+    }
+    throw_if_cancelled();
+    MeteredBytes bytes(division_.meter, node.capacity_bytes());
+    if (count <= small_node_size) return small_.build(std::move(node.prim_refs), state);
+    const double weight = weight_of(node.prim_refs);
+    const double leaf_cost = cost_.leaf_cost(weight);
+    std::optional<SplitCandidate> split;
+    if (!stop_.ends_at(state, weight, cost_)) split = sweep(node, state.box, weight, cost_);
+    if (!split || !stop_.accepts(split->cost, leaf_cost, state)) {
+        Subtree leaf;
+        make_leaf(leaf, 0, node.prim_refs);
+        if (state.share > 0.0) progress_->add(state.share);
+        return TreePart(std::move(leaf), division_.meter);
+    }
+    const SplitPlane plane = split->plane;
+    ExactChildren children;
+    {
+        Partition sides;
+        const Classification classification =
+            classify(node, plane, split->planar_side, division_, sides);
+        children = splice(std::move(node), classification, std::move(sides));
+    }
+    // While the children's arrays were made, the node's were there too.
+    MeteredBytes below_bytes(division_.meter, children.below.capacity_bytes());
+    MeteredBytes above_bytes(division_.meter, children.above.capacity_bytes());
+    bytes.release();
+    const std::size_t below_count = children.below.prim_refs.size();
+    const std::size_t above_count = children.above.prim_refs.size();
+    const double more = static_cast<double>(below_count + above_count) / static_cast<double>(count);
+    const NodeShares shares = divide_share(state.share, count, below_count, above_count);
+    if (shares.own > 0.0) progress_->add(shares.own);
+    return build_both(
+        plane, split->planar_side, count,
+        [&] {
+            below_bytes.release();  // the child counts its own
+            return build_node(std::move(children.below),
+                              state.child(below(state.box, plane), more, shares.below));
+        },
+        [&] {
+            above_bytes.release();
+            return build_node(std::move(children.above),
+                              state.child(above(state.box, plane), more, shares.above));
+        });
+}
+
+}  // namespace coppice::inline v0

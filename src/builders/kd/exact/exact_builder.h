@@ -1,0 +1,36 @@
+#pragma once
+
+#include "coppice/builders/build_options.h"
+#include "coppice/geom/primitive_set.h"
+
+#include "builders/kd/exact/exact_node.h"
+#include "builders/kd/kd_builder.h"
+#include "builders/kd/termination_rule.h"
+#include "builders/kd/tree_part.h"
+
+#include <vector>
+
+namespace coppice::inline v0 {
+
+/// Builds the tree that KdBuilder builds by the rule `exact`, plane for plane, in O(N log N).
+class ExactBuilder {
+public:
+    /// options.split.rule must be "exact".
+    ExactBuilder(PrimitiveSetView primitives, const BuildOptions& options,
+                 const TerminationRule& stop, MemoryMeter* meter = nullptr,
+                 Progress* progress = nullptr);
+
+    /// The subtree of a node with these PrimRefs. Throws Error(limit) for 2^30 of them or more.
+    [[nodiscard]] TreePart build(std::vector<PrimRef> prim_refs, const NodeState& node) const;
+
+private:
+    [[nodiscard]] TreePart build_node(ExactNode node, NodeState state) const;
+
+    Division division_;
+    SahCostModel cost_;
+    TerminationRule stop_;
+    Progress* progress_;
+    KdBuilder small_;  // for nodes where vectors are faster than lists
+};
+
+}  // namespace coppice::inline v0

@@ -1,0 +1,229 @@
+// The refilled tree is built on: all primitives go down it once more, and where they come to a leaf
+// a k-d tree of its own takes its place. On the way, two kinds of planes that the sample chose
+// badly are retracted; kept, they cost more than all else that sampling does (docs/decisions/0002).
+//
+// - A plane that cut off a cell which was empty in the sample but is not in the scene was chosen
+//   for a bonus it does not earn. It moves out to where the cell is truly empty, if the heuristic,
+//   with all primitives counted, finds that cheaper; where there is no such place it goes, unless
+//   it saves a good part of that without the bonus.
+// - Of a plane chosen from a handful of sampled primitives the node is built anew from all its own.
+//
+// The planes that are kept are passed many at once (TopTree), down to where something is to be
+// decided, and each of these places is built on by itself, the largest first.
+// Cost: two copies of a PrimRef for ten levels, then the builder's.
+
+#include "coppice/base/parallel.h"
+#include "coppice/builders/refine.h"
+
+#include "base/free_memory.h"
+#include "builders/kd/kd_builder.h"
+#include "builders/kd/partition.h"
+#include "builders/kd/top_tree.h"
+#include "builders/split/evaluate_plane.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace coppice::inline v0 {
+namespace {
+
+// A plane chosen from fewer sampled primitives is noise. More of them leave less of the tree to the
+// sample, fewer make it worse: docs/decisions/0002 has what was measured.
+constexpr double min_sampled_primitives = 64.0;
+
+// Where the PrimRefs of a node begin, seen from one of its sides.
+float begin_of(std::span<const PrimRef> prim_refs, Axis axis, PlanarSide from) {
+    float begin = from == PlanarSide::below ? Aabb::infinity : -Aabb::infinity;
+    for (const PrimRef& prim_ref : prim_refs) {
+        begin = from == PlanarSide::below ? std::min(begin, prim_ref.box.lower[axis])
+                                          : std::max(begin, prim_ref.box.upper[axis]);
+    }
+    return begin;
+}
+
+class Grower {
+public:
+    Grower(const KdTree& tree, PrimitiveSetView primitives, const BuildOptions& options,
+           MemoryMeter* meter, Progress* progress)
+        : nodes_(tree.nodes()),
+          references_below_(count_references(tree.nodes())),
+          division_{primitives, options.split.clipping, meter},
+          options_(options),
+          builder_(primitives, options, until_it_pays(options.split), meter, progress),
+          progress_(progress) {}
+
+    // A node of the old tree with all its PrimRefs.
+    struct Node {
+        std::uint32_t index;
+        std::vector<PrimRef> prim_refs;
+        Aabb box;
+        int depth;
+        double share;  // as in NodeState
+    };
+
+    [[nodiscard]] TreePart grow(Node node) const {
+        throw_if_cancelled();
+        const KdNode& old = nodes_[node.index];
+        if (old.is_leaf() || is_noise(node.prim_refs.size())) {
+            return builder_.build(std::move(node.prim_refs),
+                                  {.box = node.box, .depth = node.depth, .share = node.share});
+        }
+        if (is_falsely_empty(old.lower_child())) return revise(std::move(node), PlanarSide::below);
+        if (is_falsely_empty(old.upper_child())) return revise(std::move(node), PlanarSide::above);
+        return split(std::move(node));
+    }
+
+private:
+    // By nodes, of all leaves below them. Children follow their parents.
+    static std::vector<std::uint64_t> count_references(std::span<const KdNode> nodes) {
+        std::vector<std::uint64_t> counts(nodes.size());
+        for (std::size_t i = nodes.size(); i-- > 0;) {
+            const KdNode& node = nodes[i];
+            counts[i] = node.is_leaf() ? node.reference_count()
+                                       : counts[node.lower_child()] + counts[node.upper_child()];
+        }
+        return counts;
+    }
+
+    [[nodiscard]] bool is_noise(std::uint64_t prim_ref_count) const {
+        const double rate = options_.sample.rate;
+        return rate < 1.0 && static_cast<double>(prim_ref_count) * rate < min_sampled_primitives;
+    }
+
+    // True for inner nodes that are not split as the old tree does, or may not be.
+    [[nodiscard]] bool is_open(std::uint32_t index) const {
+        const KdNode& node = nodes_[index];
+        return is_noise(references_below_[index]) || is_falsely_empty(node.lower_child()) ||
+               is_falsely_empty(node.upper_child());
+    }
+
+    [[nodiscard]] bool is_falsely_empty(std::uint32_t child) const {
+        const KdNode& node = nodes_[child];
+        return node.is_leaf() && node.in_sample() == SampleContent::none &&
+               node.reference_count() > 0;
+    }
+
+    // True if a split saves at least a fifth of what the bonus for empty space promises.
+    [[nodiscard]] bool keeps_its_promise(double cost, std::size_t prim_ref_count) const {
+        return cost < (1.0 - 0.2 * options_.cost.empty_bonus) *
+                          options_.cost.leaf_cost(static_cast<double>(prim_ref_count));
+    }
+
+    // Decides anew about a plane whose child on `side` was empty in the sample only.
+    [[nodiscard]] TreePart revise(Node node, PlanarSide side) const {
+        const KdNode& old = nodes_[node.index];
+        const SplitPlane plane{old.axis(), begin_of(node.prim_refs, old.axis(), side)};
+        const std::uint32_t rest =
+            side == PlanarSide::below ? old.upper_child() : old.lower_child();
+        const SplitQuery query{node.prim_refs, node.box, options_.cost, 0.0};
+        const double old_cost = evaluate_plane(query, old.plane()).cost;
+        if (!PlaneEvaluator(node.box, plane.axis, options_.cost).is_inside(plane.position)) {
+            if (keeps_its_promise(old_cost, node.prim_refs.size())) return split(std::move(node));
+            return grow({rest, std::move(node.prim_refs), node.box, node.depth, node.share});
+        }
+        if (!(evaluate_plane(query, plane).cost < old_cost)) return split(std::move(node));
+        const bool is_empty_below = side == PlanarSide::below;
+        TreePart grown = grow({rest, std::move(node.prim_refs),
+                               is_empty_below ? above(node.box, plane) : below(node.box, plane),
+                               node.depth + 1, node.share});
+        return is_empty_below ? TreePart(plane, PlanarSide::above, TreePart(), std::move(grown))
+                              : TreePart(plane, PlanarSide::below, std::move(grown), TreePart());
+    }
+
+    // Splits as the old tree does.
+    [[nodiscard]] TreePart split(Node node) const {
+        if (node.prim_refs.size() >= parallel_prim_ref_count) return split_on(std::move(node));
+        const KdNode& old = nodes_[node.index];
+        const SplitPlane plane = old.plane();
+        MeteredBytes bytes(division_.meter, node.prim_refs);
+        Partition sides = partition(node.prim_refs, plane, old.planar_side(), division_);
+        const std::size_t prim_ref_count = node.prim_refs.size();
+        free_memory(node.prim_refs);  // freed before the recursion, which needs the memory
+        bytes.release();
+        const int depth = node.depth + 1;
+        const NodeShares shares =
+            divide_share(node.share, prim_ref_count, sides.below.size(), sides.above.size());
+        if (shares.own > 0.0) progress_->add(shares.own);
+        return build_both(
+            plane, old.planar_side(), prim_ref_count,
+            [&] {
+                return grow({old.lower_child(), sides.take_below(), below(node.box, plane), depth,
+                             shares.below});
+            },
+            [&] {
+                return grow({old.upper_child(), sides.take_above(), above(node.box, plane), depth,
+                             shares.above});
+            });
+    }
+
+    // The same, and on in this way down to where there is something to decide.
+    [[nodiscard]] TreePart split_on(Node node) const {
+        constexpr int level_count = 10;
+        const TopTree top_tree(
+            nodes_, {node.index, node.box, node.depth}, level_count,
+            [&](std::uint32_t index) { return index != node.index && is_open(index); });
+        auto of_cells = top_tree.distribute(std::move(node.prim_refs), division_);
+        std::vector<MeteredBytes> bytes;
+        std::vector<std::size_t> order;
+        for (std::size_t cell = 0; cell < of_cells.size(); ++cell) {
+            bytes.emplace_back(division_.meter, of_cells[cell]);
+            order.push_back(cell);
+        }
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return of_cells[a].size() > of_cells[b].size();
+        });
+        const double unit = node.share / count_of(of_cells);
+        std::vector<TreePart> parts(of_cells.size());
+        parallel_for_chunks(order.size(), 1, [&](std::size_t at, std::size_t /*end*/) {
+            const std::size_t cell = order[at];
+            const TopTree::Cell& root = top_tree.cells()[cell];
+            bytes[cell].release();
+            const double share = unit * static_cast<double>(of_cells[cell].size());
+            parts[cell] =
+                grow({root.index, std::move(of_cells[cell]), root.box, root.depth, share});
+        });
+        return joined(top_tree, 0, parts);
+    }
+
+    static double count_of(std::span<const std::vector<PrimRef>> of_cells) {
+        std::size_t count = 0;
+        for (const std::vector<PrimRef>& prim_refs : of_cells) {
+            count += prim_refs.size();
+        }
+        return static_cast<double>(std::max<std::size_t>(count, 1));
+    }
+
+    // The parts under the planes of a top_tree's node.
+    static TreePart joined(const TopTree& top_tree, std::uint32_t index,
+                           std::vector<TreePart>& parts) {
+        const TopTree::Node& node = top_tree.nodes()[index];
+        if (node.lower == TopTree::Node::is_cell) return std::move(parts[node.cell]);
+        TreePart lower = joined(top_tree, node.lower, parts);
+        TreePart upper = joined(top_tree, node.lower + 1, parts);
+        return {node.plane, node.planar_side, std::move(lower), std::move(upper)};
+    }
+
+    std::span<const KdNode> nodes_;
+    std::vector<std::uint64_t> references_below_;
+    Division division_;
+    const BuildOptions& options_;
+    KdBuilder builder_;
+    Progress* progress_;
+};
+
+}  // namespace
+
+KdTree grow_kd(KdTree&& tree, PrimitiveSetView primitives, const BuildOptions& options,
+               MemoryMeter* meter, Progress* progress) {
+    const double share = progress != nullptr ? 1.0 : 0.0;
+    Subtree grown = assemble(Grower(tree, primitives, options, meter, progress)
+                                 .grow({0, whole_prim_refs(primitives), tree.bounds(), 0, share}),
+                             meter);
+    const Aabb box = tree.bounds();
+    tree = KdTree{};
+    return {std::move(grown.nodes), std::move(grown.references), box};
+}
+
+}  // namespace coppice::inline v0

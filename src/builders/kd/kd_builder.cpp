@@ -1,0 +1,103 @@
+#include "builders/kd/kd_builder.h"
+
+#include "coppice/base/parallel.h"
+
+#include "base/free_memory.h"
+
+#include <utility>
+
+namespace coppice::inline v0 {
+namespace {
+
+double ratio(std::size_t after, std::size_t before) noexcept {
+    return static_cast<double>(after) / static_cast<double>(before);
+}
+
+// Where splits go on as long as they pay, the rule `binned` cuts the boxes and not the primitives
+// in nodes of at most so many PrimRefs: half of all clipping is there, and few splits would follow
+// that gain by it (docs/decisions/0004).
+constexpr std::size_t boxes_cut_up_to = 12;
+
+Clipping clipping_in_small_nodes(const BuildOptions& options, const TerminationRule& stop) {
+    const bool is_quick =
+        options.split.rule == "binned" && stop.search == SplitSearch::until_it_pays;
+    return is_quick ? Clipping::bounding_box : options.split.clipping;
+}
+
+}  // namespace
+
+KdBuilder::KdBuilder(PrimitiveSetView primitives, const BuildOptions& options,
+                     const TerminationRule& stop, MemoryMeter* meter, Progress* progress)
+    : division_{primitives, options.split.clipping, meter},
+      small_division_{primitives, clipping_in_small_nodes(options, stop), meter},
+      finder_(find_split_finder(options.split.rule)),
+      cost_(options.cost),
+      stop_(stop),
+      progress_(progress),
+      isa_(choose_isa()) {}
+
+// The split of a node, or nothing if it is to be a leaf; counts a bad refine on the node's path.
+std::optional<SplitCandidate> KdBuilder::find_split(std::span<const PrimRef> prim_refs,
+                                                    NodeState& node) const {
+    const double weight = weight_of(prim_refs);
+    if (stop_.ends_at(node, weight, cost_)) return std::nullopt;
+    const double leaf_cost = cost_.leaf_cost(weight);
+    const auto split =
+        finder_.find({prim_refs, node.box, cost_, stop_.acceptable_cost(leaf_cost), isa_});
+    if (!split || !stop_.accepts(split->cost, leaf_cost, node)) return std::nullopt;
+    return split;
+}
+
+TreePart KdBuilder::build(std::vector<PrimRef> prim_refs, NodeState node) const {
+    throw_if_cancelled();
+    MeteredBytes bytes(division_.meter, prim_refs);
+    if (prim_refs.size() < parallel_prim_ref_count) {
+        Subtree tree;
+        const std::size_t count = prim_refs.size();
+        PrimRefStack stack(std::move(prim_refs));
+        build_alone(tree, 0, stack, count, node);
+        if (node.share > 0.0) progress_->add(node.share);
+        return TreePart(std::move(tree), division_.meter);
+    }
+    const auto split = find_split(prim_refs, node);
+    if (!split) {
+        Subtree leaf;
+        make_leaf(leaf, 0, prim_refs);
+        if (node.share > 0.0) progress_->add(node.share);
+        return TreePart(std::move(leaf), division_.meter);
+    }
+    const SplitPlane plane = split->plane;
+    const std::size_t count = prim_refs.size();
+    Partition sides = partition(prim_refs, plane, split->planar_side, division_);
+    free_memory(prim_refs);  // freed before the recursion, which needs the memory
+    bytes.release();
+    const double more = ratio(sides.below.size() + sides.above.size(), count);
+    const NodeShares shares =
+        divide_share(node.share, count, sides.below.size(), sides.above.size());
+    if (shares.own > 0.0) progress_->add(shares.own);
+    const NodeState lower = node.child(below(node.box, plane), more, shares.below);
+    const NodeState upper = node.child(above(node.box, plane), more, shares.above);
+    return build_both(
+        plane, split->planar_side, count, [&] { return build(sides.take_below(), lower); },
+        [&] { return build(sides.take_above(), upper); });
+}
+
+// As build(), within one task: the node's PrimRefs are the topmost `count`, and are popped.
+void KdBuilder::build_alone(Subtree& tree, std::uint32_t slot, PrimRefStack& stack,
+                            std::size_t count, NodeState node) const {
+    const auto split = find_split(stack.top(count), node);
+    if (!split) {
+        make_leaf(tree, slot, stack.top(count));
+        stack.pop(count);
+        return;
+    }
+    const SplitPlane plane = split->plane;
+    const Division& division = count <= boxes_cut_up_to ? small_division_ : division_;
+    const auto sides = stack.divide_top(count, plane, split->planar_side, division);
+    const std::uint32_t lower = make_inner(tree, slot, plane, split->planar_side);
+    const double more = ratio(sides.below + sides.above, count);
+    build_alone(tree, lower, stack, sides.below, node.child(below(node.box, plane), more));
+    build_alone(tree, lower + 1, stack, sides.above, node.child(above(node.box, plane), more));
+}
+
+}  // namespace coppice::inline v0

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "coppice/builders/build_options.h"
+#include "coppice/builders/progress.h"
+#include "coppice/builders/split_finder.h"
+#include "coppice/geom/primitive_set.h"
+
+#include "builders/kd/partition.h"
+#include "builders/kd/prim_ref_stack.h"
+#include "builders/kd/termination_rule.h"
+#include "builders/kd/tree_part.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace coppice::inline v0 {
+
+/// Builds k-d (sub)trees top-down by one split rule: what building on the sample and growing the
+/// leaves share. Subtrees above a fixed size are built in parallel; the result does not depend on
+/// the number of threads.
+class KdBuilder {
+public:
+    /// Throws Error(invalid_argument) like choose_isa().
+    KdBuilder(PrimitiveSetView primitives, const BuildOptions& options, const TerminationRule& stop,
+              MemoryMeter* meter = nullptr, Progress* progress = nullptr);
+
+    /// The subtree of a node with these PrimRefs; `node.share` of the stage is done then.
+    [[nodiscard]] TreePart build(std::vector<PrimRef> prim_refs, NodeState node) const;
+
+private:
+    [[nodiscard]] std::optional<SplitCandidate> find_split(std::span<const PrimRef> prim_refs,
+                                                           NodeState& node) const;
+    void build_alone(Subtree& tree, std::uint32_t slot, PrimRefStack& stack, std::size_t count,
+                     NodeState node) const;
+
+    Division division_;
+    Division small_division_;  // of nodes where clipping takes more time than it saves
+    const SplitFinder& finder_;
+    SahCostModel cost_;
+    TerminationRule stop_;
+    Progress* progress_;
+    Isa isa_;
+};
+
+}  // namespace coppice::inline v0

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "coppice/base/memory_meter.h"
+#include "coppice/builders/build_options.h"
+#include "coppice/builders/split_finder.h"
+#include "coppice/geom/primitive_set.h"
+
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace coppice::inline v0 {
+
+/// Where a PrimRef lies with respect to a plane.
+enum class PlaneRelation { below, above, across, in_plane };
+
+/// The one classification that split costs, build and refill share. Touching is not crossing: a
+/// PrimRef that ends at the plane is on one side.
+[[nodiscard]] constexpr PlaneRelation relation_to(const Aabb& prim_ref, SplitPlane plane) noexcept {
+    const float lower = prim_ref.lower[plane.axis];
+    const float upper = prim_ref.upper[plane.axis];
+    if (lower < plane.position) {
+        return upper <= plane.position ? PlaneRelation::below : PlaneRelation::across;
+    }
+    return upper > plane.position || lower > plane.position ? PlaneRelation::above
+                                                            : PlaneRelation::in_plane;
+}
+
+/// How PrimRefs are divided: the same for all nodes of a build.
+struct Division {
+    PrimitiveSetView primitives;
+    Clipping clipping;
+    MemoryMeter* meter = nullptr;  ///< told of the arrays that partition() makes
+};
+
+/// Room for the PrimRefs of two children; each takes at most as many as their parent has.
+struct PartitionOutput {
+    PrimRef* below;
+    PrimRef* above;
+};
+
+/// Divides a node's PrimRefs at a plane, both sides in the order of the node's. A PrimRef across
+/// it goes to every side that its primitive reaches, clipped anew; none is lost. `out.above` may be
+/// where the PrimRefs are: that side is then divided in place. Returns the ends of both sides.
+PartitionOutput divide(std::span<const PrimRef> prim_refs, SplitPlane plane, PlanarSide planar_side,
+                       const Division& division, PartitionOutput out);
+
+/// The PrimRefs of a node's two children, each in the order of the node's.
+struct Partition {
+    std::vector<PrimRef> below;
+    std::vector<PrimRef> above;
+    MeteredBytes below_bytes;
+    MeteredBytes above_bytes;
+
+    /// Hands the PrimRefs of a side over to one who counts them.
+    [[nodiscard]] std::vector<PrimRef> take_below() noexcept {
+        below_bytes.release();
+        return std::move(below);
+    }
+
+    [[nodiscard]] std::vector<PrimRef> take_above() noexcept {
+        above_bytes.release();
+        return std::move(above);
+    }
+};
+
+/// divide() into new arrays, in parallel where there are many PrimRefs.
+[[nodiscard]] Partition partition(std::span<const PrimRef> prim_refs, SplitPlane plane,
+                                  PlanarSide planar_side, const Division& division);
+
+/// The PrimRefs of all primitives, unclipped, in the order of their ids.
+[[nodiscard]] std::vector<PrimRef> whole_prim_refs(PrimitiveSetView primitives);
+
+/// The box of all primitives.
+[[nodiscard]] Aabb bounds_of_all(PrimitiveSetView primitives);
+
+}  // namespace coppice::inline v0

@@ -1,0 +1,152 @@
+// All PrimRefs go down many levels at once. A PrimRef is followed to the cells it reaches before
+// the next one is looked at, so that it is moved twice and not once a level: in chunks, first to a
+// chunk's own list, sorted by cell, then to the cell. The descent branches, since meshes are
+// coherent. Cost: O(N levels) comparisons, two copies a PrimRef.
+
+#include "builders/kd/top_tree.h"
+
+#include "coppice/base/parallel.h"
+
+#include "base/free_memory.h"
+
+#include <algorithm>
+#include <array>
+
+namespace coppice::inline v0 {
+namespace {
+
+// What a chunk sends to the cells.
+struct Sent {
+    std::vector<PrimRef> prim_refs;
+    std::vector<std::uint32_t> cells;
+    std::vector<std::uint32_t> ends;  // of each cell, once they are sorted by it
+    MeteredBytes bytes;
+};
+
+class Distributor {
+public:
+    Distributor(std::span<const TopTree::Node> nodes, const Division& division, Sent& sent)
+        : nodes_(nodes), division_(division), sent_(sent) {}
+
+    void send(std::uint32_t index, const PrimRef& prim_ref) const {
+        for (;;) {
+            const TopTree::Node& node = nodes_[index];
+            if (node.lower == TopTree::Node::is_cell) break;
+            PlaneRelation relation = relation_to(prim_ref.box, node.plane);
+            if (relation == PlaneRelation::across) {
+                send_to_both(node, prim_ref);
+                return;
+            }
+            const bool is_planar_above =
+                relation == PlaneRelation::in_plane && node.planar_side == PlanarSide::above;
+            const bool is_above = relation == PlaneRelation::above || is_planar_above;
+            index = node.lower + (is_above ? 1U : 0U);
+        }
+        sent_.prim_refs.push_back(prim_ref);
+        sent_.cells.push_back(nodes_[index].cell);
+    }
+
+private:
+    void send_to_both(const TopTree::Node& node, const PrimRef& prim_ref) const {
+        std::array<PrimRef, 2> parts;
+        const PartitionOutput begin{parts.data(), parts.data() + 1};
+        const PartitionOutput end =
+            divide(std::span(&prim_ref, 1), node.plane, node.planar_side, division_, begin);
+        if (end.below != begin.below) send(node.lower, parts[0]);
+        if (end.above != begin.above) send(node.lower + 1, parts[1]);
+    }
+
+    std::span<const TopTree::Node> nodes_;
+    const Division& division_;
+    Sent& sent_;
+};
+
+// Keeps the order of each cell's PrimRefs.
+void sort_by_cell(Sent& sent, std::size_t cell_count) {
+    std::vector<std::uint32_t> next(cell_count + 1);
+    for (const std::uint32_t cell : sent.cells) {
+        ++next[cell + 1];
+    }
+    for (std::size_t cell = 0; cell < cell_count; ++cell) {
+        next[cell + 1] += next[cell];
+    }
+    std::vector<PrimRef> sorted(sent.prim_refs.size());
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+        sorted[next[sent.cells[i]]++] = sent.prim_refs[i];
+    }
+    next.pop_back();
+    sent.ends = std::move(next);
+    sent.prim_refs = std::move(sorted);
+    free_memory(sent.cells);
+}
+
+std::vector<PrimRef> gathered(std::span<const Sent> chunks, std::size_t cell) {
+    const auto range_in = [cell](const Sent& chunk) {
+        const std::size_t begin = cell == 0 ? 0 : chunk.ends[cell - 1];
+        return std::span(chunk.prim_refs).subspan(begin, chunk.ends[cell] - begin);
+    };
+    std::size_t count = 0;
+    for (const Sent& chunk : chunks) {
+        count += range_in(chunk).size();
+    }
+    std::vector<PrimRef> prim_refs;
+    prim_refs.reserve(count);
+    for (const Sent& chunk : chunks) {
+        const auto range = range_in(chunk);
+        prim_refs.insert(prim_refs.end(), range.begin(), range.end());
+    }
+    return prim_refs;
+}
+
+}  // namespace
+
+TopTree::TopTree(std::span<const KdNode> tree, const Cell& root, int level_count,
+                 const std::function<bool(std::uint32_t)>& ends_at) {
+    const std::function<void(std::uint32_t, const Cell&)> add = [&](std::uint32_t slot,
+                                                                    const Cell& at) {
+        const KdNode& node = tree[at.index];
+        if (node.is_leaf() || at.depth - root.depth >= level_count || ends_at(at.index)) {
+            nodes_[slot] = {{}, {}, Node::is_cell, static_cast<std::uint32_t>(cells_.size())};
+            cells_.push_back(at);
+            return;
+        }
+        const auto lower = static_cast<std::uint32_t>(nodes_.size());
+        const SplitPlane plane = node.plane();
+        nodes_[slot] = {plane, node.planar_side(), lower, 0};
+        nodes_.resize(nodes_.size() + 2);
+        add(lower, {node.lower_child(), below(at.box, plane), at.depth + 1});
+        add(lower + 1, {node.upper_child(), above(at.box, plane), at.depth + 1});
+    };
+    nodes_.resize(1);
+    add(0, root);
+}
+
+std::vector<std::vector<PrimRef>> TopTree::distribute(std::vector<PrimRef> prim_refs,
+                                                      const Division& division) const {
+    // Chunks depend on the number of PrimRefs alone, and their lists take little room.
+    const std::size_t chunk_size = std::max<std::size_t>(16384, prim_refs.size() / 64 + 1);
+    MeteredBytes bytes(division.meter, prim_refs);
+    std::vector<Sent> chunks((prim_refs.size() + chunk_size - 1) / chunk_size);
+    parallel_for_chunks(prim_refs.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
+        Sent& sent = chunks[begin / chunk_size];
+        sent.prim_refs.reserve((end - begin) + (end - begin) / 16);
+        sent.cells.reserve(sent.prim_refs.capacity());
+        const Distributor sender(nodes_, division, sent);
+        for (std::size_t i = begin; i < end; ++i) {
+            sender.send(0, prim_refs[i]);
+        }
+        sort_by_cell(sent, cells_.size());
+        sent.bytes = {division.meter, sent.prim_refs};
+    });
+    free_memory(prim_refs);
+    bytes.release();
+    std::vector<std::vector<PrimRef>> of_cells(cells_.size());
+    std::vector<MeteredBytes> cell_bytes(cells_.size());
+    parallel_for_chunks(cells_.size(), 1, [&](std::size_t cell, std::size_t /*end*/) {
+        of_cells[cell] = gathered(chunks, cell);
+        cell_bytes[cell] = {division.meter, of_cells[cell]};
+    });
+    return of_cells;
+}
+
+}  // namespace coppice::inline v0

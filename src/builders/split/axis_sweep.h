@@ -1,0 +1,12 @@
+#pragma once
+
+#include "coppice/builders/split_finder.h"
+
+#include <optional>
+
+namespace coppice::inline v0 {
+
+/// The cheapest split of a node at any PrimRef end on one axis; the first of equal ones.
+[[nodiscard]] std::optional<SplitCandidate> sweep_axis(const SplitQuery& query, Axis axis);
+
+}  // namespace coppice::inline v0

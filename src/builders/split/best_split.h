@@ -1,0 +1,35 @@
+#pragma once
+
+#include "coppice/builders/split_finder.h"
+
+#include <limits>
+#include <optional>
+
+namespace coppice::inline v0 {
+
+/// The cheapest of the splits offered; of equal ones the first by axis, then by position. So the
+/// choice does not depend on the order in which they are offered.
+class BestSplit {
+public:
+    void offer(const SplitCandidate& split) noexcept {
+        if (!best_ || is_before(split, *best_)) best_ = split;
+    }
+
+    /// Infinite if nothing was offered.
+    [[nodiscard]] double cost() const noexcept {
+        return best_ ? best_->cost : std::numeric_limits<double>::infinity();
+    }
+
+    [[nodiscard]] const std::optional<SplitCandidate>& get() const noexcept { return best_; }
+
+private:
+    static bool is_before(const SplitCandidate& a, const SplitCandidate& b) noexcept {
+        if (a.cost != b.cost) return a.cost < b.cost;
+        if (a.plane.axis != b.plane.axis) return a.plane.axis < b.plane.axis;
+        return a.plane.position < b.plane.position;
+    }
+
+    std::optional<SplitCandidate> best_;
+};
+
+}  // namespace coppice::inline v0

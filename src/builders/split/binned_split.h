@@ -1,0 +1,14 @@
+#pragma once
+
+#include "coppice/builders/split_finder.h"
+
+namespace coppice::inline v0 {
+
+/// A plane among the cheapest of all three axes: of bin boundaries in large nodes, then the best
+/// PrimRef end near by; of all ends in small nodes.
+class BinnedSplit final : public SplitFinder {
+public:
+    [[nodiscard]] std::optional<SplitCandidate> find(const SplitQuery& query) const override;
+};
+
+}  // namespace coppice::inline v0

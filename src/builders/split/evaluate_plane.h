@@ -1,0 +1,86 @@
+#pragma once
+
+#include "coppice/builders/split_finder.h"
+
+#include "builders/kernels/plane_costs.h"
+
+namespace coppice::inline v0 {
+
+/// The weight of a node's PrimRefs on either side of a plane and in it. Those across it count on
+/// both sides. Sums of weights are exact.
+struct SplitCounts {
+    double below = 0.0;
+    double above = 0.0;
+    double in_plane = 0.0;
+};
+
+/// Costs of planes perpendicular to one axis of one node; the areas are linear in the position.
+class PlaneEvaluator {
+public:
+    PlaneEvaluator(const Aabb& box, Axis axis, const SahCostModel& cost) noexcept
+        : PlaneEvaluator(box, axis, cost, 1.0 / box.surface_area()) {}
+
+    /// The same with the inverse of the box's area known.
+    PlaneEvaluator(const Aabb& box, Axis axis, const SahCostModel& cost,
+                   double inverse_area) noexcept
+        : axis_(axis), lower_(box.lower[axis]), upper_(box.upper[axis]) {
+        const double width = box.extent(next_axis(axis));
+        const double height = box.extent(next_axis(next_axis(axis)));
+        terms_ = {lower_,
+                  upper_,
+                  2.0 * width * height,
+                  2.0 * (width + height),
+                  inverse_area,
+                  cost.traversal,
+                  cost.intersection,
+                  cost.intersection * (1.0 - cost.empty_bonus)};
+    }
+
+    /// The split at a position, with the PrimRefs in the plane on the cheaper side; below if
+    /// equal.
+    [[nodiscard]] SplitCandidate evaluate(float position,
+                                          const SplitCounts& counts) const noexcept {
+        const double at = position;
+        const double p_below =
+            (terms_.cap_area + terms_.side_perimeter * (at - terms_.lower)) * terms_.inverse_area;
+        const double p_above =
+            (terms_.cap_area + terms_.side_perimeter * (terms_.upper - at)) * terms_.inverse_area;
+        const SplitPlane plane{axis_, position};
+        const double cost_if_below =
+            cost_of(p_below, counts.below + counts.in_plane, p_above, counts.above);
+        if (counts.in_plane == 0.0) return {plane, PlanarSide::below, cost_if_below};
+        const double cost_if_above =
+            cost_of(p_below, counts.below, p_above, counts.above + counts.in_plane);
+        return cost_if_above < cost_if_below
+                   ? SplitCandidate{plane, PlanarSide::above, cost_if_above}
+                   : SplitCandidate{plane, PlanarSide::below, cost_if_below};
+    }
+
+    /// True for positions strictly inside the box: all that may be split at.
+    [[nodiscard]] bool is_inside(float position) const noexcept {
+        return (position > lower_) & (position < upper_);  // mostly unpredictable: no branch
+    }
+
+    /// What evaluate() computes with, for kernels.
+    [[nodiscard]] const CostTerms& terms() const noexcept { return terms_; }
+
+private:
+    // SahCostModel::split_cost(), bit for bit.
+    [[nodiscard]] double cost_of(double p_below, double count_below, double p_above,
+                                 double count_above) const noexcept {
+        const bool cuts_off_empty_space = count_below == 0.0 || count_above == 0.0;
+        const double intersection =
+            cuts_off_empty_space ? terms_.empty_intersection : terms_.intersection;
+        return terms_.traversal + intersection * (p_below * count_below + p_above * count_above);
+    }
+
+    Axis axis_;
+    float lower_;
+    float upper_;
+    CostTerms terms_;
+};
+
+/// The split of a node at a given plane, strictly inside its box; O(PrimRefs).
+[[nodiscard]] SplitCandidate evaluate_plane(const SplitQuery& query, SplitPlane plane) noexcept;
+
+}  // namespace coppice::inline v0

@@ -1,0 +1,22 @@
+// The surface area heuristic without a compromise: every PrimRef end on every axis is considered.
+// Cost: O(n log n) a node. src/build/exact/ finds the same planes in O(n) a node, for whole trees.
+// Source: [WaldHavran2006] sec. 4.2.
+
+#include "builders/split/exact_split.h"
+
+#include "builders/split/axis_sweep.h"
+#include "builders/split/best_split.h"
+#include "builders/split/small_node.h"
+
+namespace coppice::inline v0 {
+
+std::optional<SplitCandidate> ExactSplit::find(const SplitQuery& query) const {
+    if (query.prim_refs.size() <= small_node_size) return find_in_small_node(query);
+    BestSplit best;
+    for (const Axis axis : all_axes) {
+        if (const auto split = sweep_axis(query, axis)) best.offer(*split);
+    }
+    return best.get();
+}
+
+}  // namespace coppice::inline v0

@@ -1,0 +1,93 @@
+// Small nodes are searched exactly without sorting: their ends strictly inside the node are
+// candidate planes, and a vector kernel counts what lies on either side of each.
+// Cost: O(n^2 / 8) for n PrimRefs, on each axis.
+
+#include "builders/split/small_node.h"
+
+#include "builders/kernels/plane_costs.h"
+#include "builders/split/evaluate_plane.h"
+
+#include <array>
+#include <limits>
+
+namespace coppice::inline v0 {
+namespace {
+
+// The PrimRefs of a node, each number in an array of its own.
+class NodeEnds {
+public:
+    explicit NodeEnds(std::span<const PrimRef> prim_refs) noexcept : count_(prim_refs.size()) {
+        std::array<bool, 3> has_planar{};
+        float weight_sum = 0.0F;
+        for (std::size_t i = 0; i < count_; ++i) {
+            const PrimRef& prim_ref = prim_refs[i];
+            const Vec3f& lower = prim_ref.box.lower;
+            const Vec3f& upper = prim_ref.box.upper;
+            lower_[0][i] = lower.x + 0.0F;  // -0 becomes +0
+            lower_[1][i] = lower.y + 0.0F;
+            lower_[2][i] = lower.z + 0.0F;
+            upper_[0][i] = upper.x + 0.0F;
+            upper_[1][i] = upper.y + 0.0F;
+            upper_[2][i] = upper.z + 0.0F;
+            weight_[i] = prim_ref.weight;
+            has_planar[0] |= lower.x == upper.x;
+            has_planar[1] |= lower.y == upper.y;
+            has_planar[2] |= lower.z == upper.z;
+            weight_sum += prim_ref.weight;
+        }
+        has_planar_ = has_planar;
+        are_weights_one_ = weight_sum == static_cast<float>(count_);  // none is less than one
+        pad();
+    }
+
+    [[nodiscard]] AxisEnds on(Axis axis) const noexcept {
+        const auto index = static_cast<std::size_t>(axis);
+        return {lower_[index].data(), upper_[index].data(), weight_.data(), count_,
+                has_planar_[index],   are_weights_one_};
+    }
+
+private:
+    using Numbers = std::array<float, small_node_capacity>;
+
+    // Fills up the last vector.
+    void pad() noexcept {
+        for (std::size_t i = count_; i % 8 != 0; ++i) {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                lower_[axis][i] = Aabb::infinity;
+                upper_[axis][i] = -Aabb::infinity;
+            }
+            weight_[i] = 0.0F;
+        }
+    }
+
+    std::array<Numbers, 3> lower_;
+    std::array<Numbers, 3> upper_;
+    Numbers weight_;
+    std::array<bool, 3> has_planar_;
+    bool are_weights_one_;
+    std::size_t count_;
+};
+
+}  // namespace
+
+std::optional<SplitCandidate> find_in_small_node(const SplitQuery& query) noexcept {
+    const NodeEnds ends(query.prim_refs);
+    const PlaneKernel find_best_plane = plane_kernel_for(query.isa);
+    const double inverse_area = 1.0 / query.box.surface_area();
+    BestPlane best{std::numeric_limits<double>::infinity(), 0.0F};
+    Axis best_axis = Axis::x;
+    for (const Axis axis : all_axes) {
+        const PlaneEvaluator evaluator(query.box, axis, query.cost, inverse_area);
+        const BestPlane on_axis = find_best_plane(ends.on(axis), evaluator.terms());
+        if (on_axis.cost < best.cost) {
+            best = on_axis;
+            best_axis = axis;
+        }
+    }
+    if (best.cost == std::numeric_limits<double>::infinity()) return std::nullopt;
+    const SplitPlane plane{best_axis, best.position};
+    if (!ends.on(best_axis).has_planar) return SplitCandidate{plane, PlanarSide::below, best.cost};
+    return evaluate_plane(query, plane);  // which side those in the plane are on
+}
+
+}  // namespace coppice::inline v0

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "coppice/builders/split_finder.h"
+
+#include "builders/kernels/plane_costs.h"
+
+#include <cstddef>
+#include <optional>
+
+namespace coppice::inline v0 {
+
+/// Nodes of at most so many PrimRefs are small.
+inline constexpr std::size_t small_node_size = small_node_capacity;
+
+/// The cheapest split of a small node at any PrimRef end on any axis; of equal ones the first by
+/// axis, then by position: what ExactSplit finds in any node.
+[[nodiscard]] std::optional<SplitCandidate> find_in_small_node(const SplitQuery& query) noexcept;
+
+}  // namespace coppice::inline v0

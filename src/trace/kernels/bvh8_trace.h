@@ -1,0 +1,42 @@
+#pragma once
+
+#include "coppice/base/cpu.h"
+#include "coppice/geom/ray.h"
+#include "coppice/trace/traversal_counts.h"
+#include "coppice/tree/bvh8.h"
+
+#include <cstddef>
+#include <span>
+
+namespace coppice::inline v0 {
+
+/// The traversals of a 8-wide tree for one instruction set. Rays that are not traceable hit
+/// nothing.
+struct TraceKernels {
+    /// Whether there is a hit, and then the closest.
+    bool (*closest)(const Bvh8&, const Ray&, Hit&) noexcept;
+    bool (*any)(const Bvh8&, const Ray&) noexcept;
+    /// The same of as many rays as there are results. Rays that go the same way go together.
+    void (*closest_of_each)(const Bvh8&, std::span<const Ray>, std::span<Hit>) noexcept;
+    void (*any_of_each)(const Bvh8&, std::span<const Ray>, std::span<bool>) noexcept;
+    /// How many of the first hits after a given one, or of all, it put in order into the span.
+    std::size_t (*first)(const Bvh8&, const Ray&, std::span<Hit>, const Hit* after) noexcept;
+    bool (*closest_counting)(const Bvh8&, const Ray&, Hit&, TraversalCounts&) noexcept;
+    bool (*any_counting)(const Bvh8&, const Ray&, TraversalCounts&) noexcept;
+};
+
+/// True if the ray, which is traceable, hits one triangle of a block at a t of at most t_max, and
+/// then the hit: by TriangleTest.
+[[nodiscard]] bool decide_alone(const TriangleBlock& block, std::size_t lane, const Ray& ray,
+                                float t_max, Hit& hit) noexcept;
+
+/// The traversals for an instruction set that this processor has.
+[[nodiscard]] const TraceKernels& trace_kernels_for(Isa isa) noexcept;
+
+/// Those of each set.
+[[nodiscard]] const TraceKernels& scalar_trace_kernels() noexcept;
+[[nodiscard]] const TraceKernels& sse42_trace_kernels() noexcept;
+[[nodiscard]] const TraceKernels& avx2_trace_kernels() noexcept;
+[[nodiscard]] const TraceKernels& avx512_trace_kernels() noexcept;
+
+}  // namespace coppice::inline v0

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "coppice/tree/validate.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace coppice::inline v0 {
+
+/// The findings of one validation, up to its limit.
+class IssueList {
+public:
+    explicit IssueList(std::size_t limit) : limit_(limit) {}
+
+    /// Takes down a finding unless there are enough.
+    template <typename... Args>
+    void report(ValidationIssueKind kind, std::uint64_t subject, fmt::format_string<Args...> format,
+                Args&&... args) {
+        if (is_full()) return;
+        findings_.push_back({kind, subject, fmt::format(format, std::forward<Args>(args)...)});
+    }
+
+    [[nodiscard]] bool is_empty() const noexcept { return findings_.empty(); }
+
+    [[nodiscard]] bool is_full() const noexcept { return findings_.size() >= limit_; }
+
+    [[nodiscard]] std::vector<ValidationIssue> take() && noexcept { return std::move(findings_); }
+
+private:
+    std::size_t limit_;
+    std::vector<ValidationIssue> findings_;
+};
+
+}  // namespace coppice::inline v0

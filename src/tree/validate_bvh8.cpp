@@ -1,0 +1,157 @@
+// Checks a 8-wide tree in two steps: its shape (each node and block reached once, boxes nested),
+// then its contents: every block holds the corners of existing triangles, and the points by which a
+// triangle is known (corners, middles of edges) lie in the boxes of leaves that refer to it. Points
+// and not boxes, because a leaf may be meant for a part of a triangle only.
+
+#include "coppice/tree/validate.h"
+
+#include "tree/issue_list.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+namespace coppice::inline v0 {
+namespace {
+
+// A face of a clipped box may be off by its rounding.
+Aabb padded(const Aabb& box) {
+    Aabb padded = box;
+    for (const Axis axis : all_axes) {
+        const auto slack = static_cast<float>(1e-6 * box.extent(axis)) +
+                           4.0F * std::numeric_limits<float>::denorm_min() +
+                           1e-6F * std::max(std::abs(box.lower[axis]), std::abs(box.upper[axis]));
+        padded.lower[axis] -= slack;
+        padded.upper[axis] += slack;
+    }
+    return padded;
+}
+
+constexpr std::size_t point_count = 6;
+
+std::array<Vec3f, point_count> points_of(const Triangle& triangle) {
+    const auto middle = [](const Vec3f& a, const Vec3f& b) { return 0.5F * a + 0.5F * b; };
+    const auto& [a, b, c] = triangle;
+    return {a, b, c, middle(a, b), middle(b, c), middle(c, a)};
+}
+
+class Bvh8Validator {
+public:
+    Bvh8Validator(const Bvh8& tree, TriangleMeshView mesh, std::size_t limit)
+        : tree_(tree),
+          mesh_(mesh),
+          is_node_met_(tree.nodes().size(), false),
+          is_block_met_(tree.blocks().size(), false),
+          found_points_(mesh.size(), 0),
+          findings_(limit) {}
+
+    std::vector<ValidationIssue> run() {
+        is_node_met_[0] = true;
+        visit(0, tree_.bounds(), 0);
+        report_unmet(is_node_met_, ValidationIssueKind::unreachable_node, "node");
+        report_unmet(is_block_met_, ValidationIssueKind::unreachable_reference, "block");
+        for (std::uint32_t id = 0; id < mesh_.size(); ++id) {
+            if (found_points_[id] == (1U << point_count) - 1) continue;
+            findings_.report(ValidationIssueKind::lost_primitive, id,
+                             "{} of 6 points of triangle {} are in no leaf",
+                             static_cast<int>(point_count) - std::popcount(found_points_[id]), id);
+        }
+        return std::move(findings_).take();
+    }
+
+private:
+    void report_unmet(const std::vector<bool>& is_met, ValidationIssueKind kind,
+                      std::string_view what) {
+        const auto unmet = std::find(is_met.begin(), is_met.end(), false);
+        if (unmet == is_met.end()) return;
+        const auto at = static_cast<std::uint64_t>(unmet - is_met.begin());
+        findings_.report(kind, at, "{} {} hangs nowhere", what, at);
+    }
+
+    void visit(std::uint32_t index, const Aabb& box, int depth) {
+        if (depth > Bvh8::max_depth) {
+            findings_.report(ValidationIssueKind::too_deep, index,
+                             "node {} is more than {} levels deep", index, Bvh8::max_depth);
+            return;
+        }
+        const Bvh8Node& node = tree_.nodes()[index];
+        for (std::size_t slot = 0; slot < bvh8_width; ++slot) {
+            const Bvh8Child child = node.child[slot];
+            if (child.is_empty()) continue;
+            const Aabb child_box = node.child_box(slot);
+            if (child_box.is_empty() || intersection(child_box, box) != child_box) {
+                findings_.report(ValidationIssueKind::box_outside, index,
+                                 "child {} of node {} leaves its box", slot, index);
+            }
+            if (child.is_leaf()) {
+                check_leaf(index, child, padded(child_box));
+            } else if (child.node() <= index || child.node() >= tree_.nodes().size() ||
+                       is_node_met_[child.node()]) {
+                findings_.report(ValidationIssueKind::bad_child, index,
+                                 "node {} has the child {} of {} nodes", index, child.node(),
+                                 tree_.nodes().size());
+            } else {
+                is_node_met_[child.node()] = true;
+                visit(child.node(), child_box, depth + 1);
+            }
+        }
+    }
+
+    void check_leaf(std::uint32_t node, Bvh8Child leaf, const Aabb& box) {
+        const std::uint64_t end = std::uint64_t{leaf.first_block()} + leaf.block_count();
+        if (end > tree_.blocks().size()) {
+            findings_.report(ValidationIssueKind::bad_range, node,
+                             "a leaf of node {} has blocks {} to {} of {}", node,
+                             leaf.first_block(), end, tree_.blocks().size());
+            return;
+        }
+        for (std::uint32_t at = leaf.first_block(); at < end; ++at) {
+            if (is_block_met_[at]) {
+                findings_.report(ValidationIssueKind::bad_range, node, "block {} is in two leaves",
+                                 at);
+            }
+            is_block_met_[at] = true;
+            check_block(at, box);
+        }
+    }
+
+    void check_block(std::uint32_t at, const Aabb& box) {
+        const TriangleBlock& block = tree_.blocks()[at];
+        for (std::size_t lane = 0; lane < bvh8_width; ++lane) {
+            const std::uint32_t id = block.id[lane];
+            if (id == TriangleBlock::no_triangle) continue;
+            if (id >= mesh_.size()) {
+                findings_.report(ValidationIssueKind::bad_reference, at,
+                                 "block {} refers to {} of {} triangles", at, id, mesh_.size());
+                continue;
+            }
+            if (block.triangle(lane) != mesh_.triangle(id)) {
+                findings_.report(ValidationIssueKind::wrong_corners, at,
+                                 "block {} has other corners than triangle {}", at, id);
+            }
+            const auto points = points_of(mesh_.triangle(id));
+            for (std::size_t point = 0; point < point_count; ++point) {
+                if (box.contains(points[point])) found_points_[id] |= 1U << point;
+            }
+        }
+    }
+
+    const Bvh8& tree_;
+    TriangleMeshView mesh_;
+    std::vector<bool> is_node_met_;
+    std::vector<bool> is_block_met_;
+    std::vector<unsigned> found_points_;  // a bit for each
+    IssueList findings_;
+};
+
+}  // namespace
+
+std::vector<ValidationIssue> validate(const Bvh8& tree, TriangleMeshView mesh, std::size_t limit) {
+    return Bvh8Validator(tree, mesh, limit).run();
+}
+
+}  // namespace coppice::inline v0
