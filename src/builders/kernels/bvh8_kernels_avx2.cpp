@@ -14,8 +14,8 @@ COPPICE_BEGIN_AVX2
 
 namespace {
 
-#include "builders/kernels/bvh8_kernels.inl"
 #include "builders/kernels/lanes_avx2.inl"
+#include "builders/kernels/object_kernels.inl"
 
 }  // namespace
 

@@ -5,8 +5,8 @@
 namespace coppice::inline v0::bvh8 {
 namespace {
 
-#include "builders/kernels/bvh8_kernels.inl"
 #include "builders/kernels/lanes_scalar.inl"
+#include "builders/kernels/object_kernels.inl"
 
 }  // namespace
 

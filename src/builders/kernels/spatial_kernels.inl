@@ -1,4 +1,4 @@
-// Cutting triangles at planes, on eight lanes: part of bvh8_kernels.inl. A point's lanes are its
+// Cutting triangles at planes, on eight lanes: part of object_kernels.inl. A point's lanes are its
 // coordinates negated and as they are, so that one maximum puts it into a box. Source: [Stich2009]
 // sec. 4.2.
 
