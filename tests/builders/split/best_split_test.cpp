@@ -9,10 +9,10 @@ namespace coppice::test {
 namespace {
 
 TEST(BestSplit, DoesNotMindTheOrder) {
-    std::array<Split, 4> splits{SplitCandidate{{Axis::y, 1.0F}, PlanarSide::below, 2.0},
-                                SplitCandidate{{Axis::x, 3.0F}, PlanarSide::below, 2.0},
-                                SplitCandidate{{Axis::x, 2.0F}, PlanarSide::below, 2.0},
-                                SplitCandidate{{Axis::x, 1.0F}, PlanarSide::below, 5.0}};
+    std::array<SplitCandidate, 4> splits{SplitCandidate{{Axis::y, 1.0F}, PlanarSide::below, 2.0},
+                                         SplitCandidate{{Axis::x, 3.0F}, PlanarSide::below, 2.0},
+                                         SplitCandidate{{Axis::x, 2.0F}, PlanarSide::below, 2.0},
+                                         SplitCandidate{{Axis::x, 1.0F}, PlanarSide::below, 5.0}};
     const auto by_plane = [](const SplitCandidate& a, const SplitCandidate& b) {
         return std::pair(a.plane.axis, a.plane.position) <
                std::pair(b.plane.axis, b.plane.position);

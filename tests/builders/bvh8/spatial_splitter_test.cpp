@@ -27,14 +27,14 @@ TriangleMesh make_mixture(std::uint64_t seed) {
     return joined(make_soup(5000, 0.02F, seed), make_slivers(1000, 1.0F, seed));
 }
 
-// All pieces of a mesh's triangles after splits that go down to some hundred references.
+// All pieces of a mesh's triangles after splits that go down to some hundred prim_refs.
 class Cutter {
 public:
     Cutter(const TriangleMesh& mesh, double room, Isa isa)
         : first_(static_cast<std::size_t>(room * static_cast<double>(mesh.triangles.size()))),
           second_(first_.size()) {
         const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
-        make_references(mesh.view(), std::span(first_).first(count));
+        make_prim_refs(mesh.view(), std::span(first_).first(count));
         Range all = Splitter(first_, second_, {}, kernels_for(isa)).measured(0, count, 0);
         all.spare_above = static_cast<std::uint32_t>(first_.size()) - count;
         const SplitCosts costs{8.0F, true, extent_factor_of(all.box)};
@@ -43,7 +43,7 @@ public:
         cut(all, splitter, spatial);
     }
 
-    [[nodiscard]] const std::vector<Reference>& pieces() const { return pieces_; }
+    [[nodiscard]] const std::vector<PrimRef>& pieces() const { return pieces_; }
 
 private:
     void cut(const Range& range, const Splitter& splitter, const SpatialSplitter& spatial) {
@@ -51,8 +51,8 @@ private:
         const ObjectSplit split = splitter.find(range, mapping);
         auto halves = spatial.improve(range, split);
         if (!halves && range.size() < 512) {
-            const auto references = splitter.references(range);
-            pieces_.insert(pieces_.end(), references.begin(), references.end());
+            const auto prim_refs = splitter.prim_refs(range);
+            pieces_.insert(pieces_.end(), prim_refs.begin(), prim_refs.end());
             return;
         }
         if (!halves) halves = splitter.divide(range, split, mapping);
@@ -71,13 +71,13 @@ private:
         cut(halves->upper, splitter, spatial);
     }
 
-    std::vector<Reference> first_;
-    std::vector<Reference> second_;
-    std::vector<Reference> pieces_;
+    std::vector<PrimRef> first_;
+    std::vector<PrimRef> second_;
+    std::vector<PrimRef> pieces_;
 };
 
 // Up to what the test rounds itself.
-bool contains(const Reference& piece, const std::array<float, 3>& point) {
+bool contains(const PrimRef& piece, const std::array<float, 3>& point) {
     constexpr float slack = 1e-6F;
     bool is_inside = true;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -88,9 +88,9 @@ bool contains(const Reference& piece, const std::array<float, 3>& point) {
 }
 
 // Points on triangles that are in none of their pieces.
-int count_lost_points(const TriangleMesh& mesh, const std::vector<Reference>& pieces) {
-    std::multimap<std::uint32_t, Reference> by_id;
-    for (const Reference& piece : pieces) {
+int count_lost_points(const TriangleMesh& mesh, const std::vector<PrimRef>& pieces) {
+    std::multimap<std::uint32_t, PrimRef> by_id;
+    for (const PrimRef& piece : pieces) {
         by_id.emplace(piece.id, piece);
     }
     int lost = 0;
@@ -129,7 +129,7 @@ TEST(SpatialSplitter, IsTheSameForAllInstructionSets) {
     for (const Isa isa : available_isas()) {
         const auto pieces = Cutter(mesh, 1.3, isa).pieces();
         ASSERT_EQ(pieces.size(), expected.size());
-        EXPECT_EQ(std::memcmp(pieces.data(), expected.data(), pieces.size() * sizeof(Reference)), 0)
+        EXPECT_EQ(std::memcmp(pieces.data(), expected.data(), pieces.size() * sizeof(PrimRef)), 0)
             << name_of(isa);
     }
 }
