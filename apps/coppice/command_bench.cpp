@@ -3,14 +3,14 @@
 #include "coppice/base/named.h"
 #include "coppice/builders/method.h"
 
+#include "bench/bench.h"
 #include "build_arguments.h"
 #include "command.h"
 #include "interrupts.h"
 #include "json_file.h"
-#include "lab/bench.h"
-#include "lab/contestant.h"
-#include "lab/progress_line.h"
 #include "options.h"
+#include "text/progress_line.h"
+#include "tracers/contestant.h"
 #include "view_arguments.h"
 
 #include <fmt/format.h>

@@ -7,9 +7,9 @@
 
 #include "command.h"
 #include "interrupts.h"
-#include "lab/progress_line.h"
 #include "options.h"
 #include "piped_scenes.h"
+#include "text/progress_line.h"
 #include "tree_arguments.h"
 
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 // coppice compare: what two results of an experiment or a benchmark differ in beyond noise.
 
 #include "command.h"
+#include "compare/compare.h"
 #include "interrupts.h"
 #include "json_file.h"
-#include "lab/compare.h"
 #include "options.h"
 
 #include <fmt/format.h>

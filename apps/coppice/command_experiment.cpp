@@ -2,21 +2,21 @@
 // report in a folder.
 
 #include "command.h"
+#include "exhibits/exhibits.h"
+#include "experiment/experiment.h"
+#include "experiment/experiment_record.h"
+#include "experiment/journal.h"
+#include "experiment/result_table.h"
+#include "experiment/results_document.h"
 #include "experiment_arguments.h"
 #include "interrupts.h"
-#include "lab/exhibits.h"
-#include "lab/experiment.h"
-#include "lab/experiment_record.h"
-#include "lab/journal.h"
-#include "lab/machine.h"
-#include "lab/output_folder.h"
-#include "lab/progress_line.h"
-#include "lab/rays_text.h"
-#include "lab/result_table.h"
-#include "lab/results_document.h"
-#include "lab/scene_names.h"
 #include "options.h"
 #include "report/make_report.h"
+#include "rows/machine.h"
+#include "rows/output_folder.h"
+#include "rows/rays_text.h"
+#include "scenes/scene_names.h"
+#include "text/progress_line.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -4,8 +4,8 @@
 
 #include "command.h"
 #include "interrupts.h"
-#include "lab/procedural.h"
 #include "options.h"
+#include "scenes/procedural.h"
 
 #include <fmt/format.h>
 

@@ -4,10 +4,10 @@
 
 #include "command.h"
 #include "interrupts.h"
-#include "lab/mesh_summary.h"
-#include "lab/progress_line.h"
-#include "lab/scene_names.h"
 #include "options.h"
+#include "scenes/mesh_summary.h"
+#include "scenes/scene_names.h"
+#include "text/progress_line.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

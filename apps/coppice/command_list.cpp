@@ -5,13 +5,13 @@
 #include "coppice/sample/sampler.h"
 
 #include "command.h"
-#include "lab/contestant.h"
-#include "lab/experiment_options.h"
-#include "lab/procedural.h"
-#include "lab/protocol.h"
-#include "lab/ray_sets.h"
+#include "experiment/experiment_options.h"
+#include "experiment/protocol.h"
 #include "options.h"
 #include "render/integrator.h"
+#include "scenes/procedural.h"
+#include "scenes/ray_sets.h"
+#include "tracers/contestant.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

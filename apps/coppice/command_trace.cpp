@@ -7,11 +7,11 @@
 #include "command.h"
 #include "interrupts.h"
 #include "json_file.h"
-#include "lab/contestant.h"
-#include "lab/progress_line.h"
-#include "lab/trace_run.h"
 #include "options.h"
+#include "text/progress_line.h"
+#include "tracers/contestant.h"
 #include "tree_arguments.h"
+#include "verify/trace_run.h"
 #include "view_arguments.h"
 
 #include <fmt/format.h>

@@ -7,9 +7,9 @@
 #include "command.h"
 #include "interrupts.h"
 #include "json_file.h"
-#include "lab/progress_line.h"
-#include "lab/tune.h"
 #include "options.h"
+#include "text/progress_line.h"
+#include "tune/tune.h"
 #include "view_arguments.h"
 
 #include <fmt/format.h>

@@ -5,10 +5,10 @@
 #include "coppice/sample/sampler.h"
 
 #include "build_arguments.h"
-#include "lab/builders.h"
-#include "lab/contestant.h"
-#include "lab/protocol.h"
+#include "experiment/builders.h"
+#include "experiment/protocol.h"
 #include "options.h"
+#include "tracers/contestant.h"
 #include "view_arguments.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/experiment_options.h"
+#include "experiment/experiment_options.h"
 
 #include <CLI/CLI.hpp>
 

@@ -3,7 +3,7 @@
 #include "coppice/io/write_file.h"
 
 #include "interrupts.h"
-#include "lab/output_folder.h"
+#include "rows/output_folder.h"
 #include "usage.h"
 
 #include <nlohmann/json.hpp>

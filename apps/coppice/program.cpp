@@ -1,8 +1,8 @@
 #include "program.h"
 
-#include "lab/machine.h"
 #include "options.h"
 #include "piped_scenes.h"
+#include "rows/machine.h"
 #include "usage.h"
 
 #include <CLI/CLI.hpp>

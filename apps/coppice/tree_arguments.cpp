@@ -1,8 +1,8 @@
 #include "tree_arguments.h"
 
 #include "interrupts.h"
-#include "lab/output_folder.h"
 #include "options.h"
+#include "rows/output_folder.h"
 
 #include <fmt/format.h>
 

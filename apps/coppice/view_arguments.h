@@ -1,8 +1,8 @@
 #pragma once
 
-#include "lab/ray_sets.h"
 #include "options.h"
-#include "render/camera.h"
+#include "scenes/camera.h"
+#include "scenes/ray_sets.h"
 
 #include <CLI/CLI.hpp>
 

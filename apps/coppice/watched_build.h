@@ -3,7 +3,7 @@
 #include "coppice/builders/build_control.h"
 #include "coppice/builders/build_report.h"
 
-#include "lab/progress_line.h"
+#include "text/progress_line.h"
 
 #include <functional>
 #include <string>

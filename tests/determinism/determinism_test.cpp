@@ -7,16 +7,16 @@
 #include "coppice/builders/method.h"
 #include "coppice/store/fingerprint.h"
 
-#include "lab/experiment.h"
-#include "lab/lab_scenes.h"
-#include "lab/procedural.h"
+#include "experiment/experiment.h"
 #include "render/integrators/integrators.h"
-#include "render/ray_tracer.h"
 #include "render/render.h"
+#include "scenes/procedural.h"
 #include "store/checksum.h"
 #include "support/effort.h"
 #include "support/isa.h"
+#include "support/lab_scenes.h"
 #include "support/more_threads.h"
+#include "tracers/ray_tracer.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -4,10 +4,10 @@
 #include "coppice/base/parallel.h"
 #include "coppice/builders/method.h"
 
-#include "lab/traced_tree.h"
 #include "support/inside_rays.h"
 #include "support/isa.h"
 #include "support/meshes.h"
+#include "tracers/traced_tree.h"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include "coppice/trace/bvh8_tracer.h"
 #include "coppice/trace/intersect.h"
 
-#include "lab/hard_rays.h"
-#include "lab/ray_sets.h"
+#include "scenes/hard_rays.h"
+#include "scenes/ray_sets.h"
 #include "support/scene_matrix.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "render/develop.h"
 
 #include "render/heat_map.h"
-#include "render/vector_math.h"
+#include "scenes/vector_math.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 
 #include "render/lighting.h"
 #include "render/pixel_samples.h"
-#include "render/ray_tracer.h"
+#include "tracers/ray_tracer.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -6,7 +6,7 @@
 #include "render/lighting.h"
 
 #include "render/surface.h"
-#include "render/vector_math.h"
+#include "scenes/vector_math.h"
 
 #include <algorithm>
 #include <cmath>

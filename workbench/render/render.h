@@ -1,8 +1,8 @@
 #pragma once
 
-#include "render/camera.h"
 #include "render/image.h"
 #include "render/integrator.h"
+#include "scenes/camera.h"
 
 #include <cstdint>
 #include <functional>

@@ -11,10 +11,6 @@ namespace coppice::render {
 
 namespace {
 
-std::string vector_text(Vec3f v) {
-    return fmt::format("{},{},{}", v.x, v.y, v.z);
-}
-
 /// A whole number with commas between thousands.
 std::string grouped(std::uint64_t number) {
     std::string digits = std::to_string(number);
@@ -100,11 +96,6 @@ std::string tree_text(const RenderReport& report) {
 
 double RenderReport::mrays_per_second() const noexcept {
     return trace_seconds > 0.0 ? 1e-6 * static_cast<double>(rays.total()) / trace_seconds : 0.0;
-}
-
-std::string camera_text(const Camera& camera) {
-    return fmt::format("--eye={} --look-at={} --up={} --fov={}", vector_text(camera.eye),
-                       vector_text(camera.look_at), vector_text(camera.up), camera.fov);
 }
 
 std::string render_text(const RenderReport& report) {

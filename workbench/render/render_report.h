@@ -3,9 +3,9 @@
 #include "coppice/builders/build_report.h"
 #include "coppice/builders/method.h"
 
-#include "render/camera.h"
 #include "render/lighting.h"
 #include "render/render.h"
+#include "scenes/camera.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -50,9 +50,6 @@ struct RenderReport {
     /// Millions of rays a second, of all kinds together; 0 if no time has passed.
     [[nodiscard]] double mrays_per_second() const noexcept;
 };
-
-/// The options that give this camera again: "--eye=1,2,3 --look-at=0,0,0 --up=0,1,0 --fov=45".
-[[nodiscard]] std::string camera_text(const Camera& camera);
 
 /// The report as lines of text, but for where the image is.
 [[nodiscard]] std::string render_text(const RenderReport& report);

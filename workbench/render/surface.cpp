@@ -7,7 +7,7 @@
 
 #include "render/surface.h"
 
-#include "render/vector_math.h"
+#include "scenes/vector_math.h"
 
 #include <algorithm>
 #include <array>

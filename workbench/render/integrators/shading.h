@@ -2,7 +2,7 @@
 
 #include "render/integrator.h"
 #include "render/surface.h"
-#include "render/vector_math.h"
+#include "scenes/vector_math.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,31 @@
+#include "tracers/variant.h"
+
+#include "coppice/base/error.h"
+
+#include <gtest/gtest.h>
+
+namespace coppice::lab {
+
+namespace {
+
+TEST(Variant, IsAMethodWithItsOwnSampleOrAnother) {
+    EXPECT_EQ(find_variant("sampled").options.sample.rate, 0.01);
+    EXPECT_EQ(find_variant("exact").options.sample.rate, 1.0);
+    const Variant variant = find_variant("fast@12.5%");
+    EXPECT_EQ(variant.method, "fast");
+    EXPECT_EQ(variant.tree, TreeKind::bvh8);
+    EXPECT_EQ(variant.options.sample.rate, 0.125);
+    EXPECT_EQ(variant.options.sample.sampler, find_method("fast").options().sample.sampler);
+    EXPECT_EQ(find_variant(variant_name("quality", 0.3)).options.sample.rate, 0.003);
+}
+
+TEST(Variant, RefusesOtherNames) {
+    for (const char* name : {"", "best", "best@1%", "fast@", "fast@%", "fast@1", "fast@0%",
+                             "fast@101%", "fast@-1%", "fast@nan%", "fast@1%%", "fast@1 %"}) {
+        EXPECT_THROW(static_cast<void>(find_variant(name)), Error) << name;
+    }
+}
+
+}  // namespace
+
+}  // namespace coppice::lab

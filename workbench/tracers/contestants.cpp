@@ -1,0 +1,144 @@
+// Our own methods as contestants: built by the library's functions, traced by its
+// queries, as a user would.
+
+#include "coppice/base/timer.h"
+#include "coppice/builders/build_tree.h"
+#include "coppice/trace/bvh8_tracer.h"
+#include "coppice/trace/intersect.h"
+
+#include "tracers/contestant.h"
+#include "tracers/memory_limit.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace coppice::lab {
+
+namespace {
+
+/// The figures of a build, taken by `build(report)`: a function that builds, and that measures the
+/// tree as well if it is given a report.
+template <typename Build>
+BuildFigures figures_of(bool is_measured, BuildFigures last, Build&& build) {
+    if (!is_measured) {
+        const Timer wall;
+        const CpuTimer cpu;
+        build(nullptr);
+        last.wall_seconds = wall.seconds();
+        last.cpu_seconds = cpu.seconds();
+        return last;
+    }
+    BuildReport report;
+    build(&report);
+    // The call did more than build: it measured.
+    return {report.stages.wall_seconds(),
+            report.stages.cpu_seconds(),
+            report.tree_bytes,
+            report.peak_bytes,
+            report.statistics.sah_cost,
+            static_cast<double>(report.statistics.reference_count),
+            report.sample_count / static_cast<double>(std::max(1U, report.primitive_count))};
+}
+
+/// A k-d tree.
+class KdContestant final : public Contestant {
+public:
+    KdContestant(BuildOptions options, std::uint64_t memory_limit_bytes)
+        : options_(std::move(options)), memory_limit_bytes_(memory_limit_bytes) {}
+
+    BuildFigures build(TriangleMeshView mesh, bool is_measured) override {
+        mesh_ = mesh;
+        return figures_ = figures_of(is_measured, figures_, [&](BuildReport* report) {
+                   const BuildControl control =
+                       limit_memory(is_measured ? memory_limit_bytes_ : 0, mesh);
+                   tree_ = build_kd_tree(mesh, options_, report, control);
+               });
+    }
+
+    void clear() noexcept override { tree_ = {}; }
+
+    // An array is traced one by one.
+    void intersect(std::span<const Ray> rays, std::span<Hit> hits,
+                   Queries /*queries*/) const noexcept override {
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            hits[i] = coppice::intersect(tree_, mesh_, rays[i]).value_or(Hit{});
+        }
+    }
+
+    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> flags,
+                  Queries /*queries*/) const noexcept override {
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            flags[i] = coppice::occluded(tree_, mesh_, rays[i]) ? 1 : 0;
+        }
+    }
+
+private:
+    BuildOptions options_;
+    std::uint64_t memory_limit_bytes_;
+    TriangleMeshView mesh_;
+    KdTree tree_;
+    BuildFigures figures_;
+};
+
+/// An 8-wide tree.
+class Bvh8Contestant final : public Contestant {
+public:
+    Bvh8Contestant(BuildOptions options, std::uint64_t memory_limit_bytes)
+        : options_(std::move(options)), memory_limit_bytes_(memory_limit_bytes) {}
+
+    BuildFigures build(TriangleMeshView mesh, bool is_measured) override {
+        return figures_ = figures_of(is_measured, figures_, [&](BuildReport* report) {
+                   const BuildControl control =
+                       limit_memory(is_measured ? memory_limit_bytes_ : 0, mesh);
+                   tracer_.emplace(build_bvh8(mesh, options_, report, control));
+                   if (report == nullptr) return;
+                   options_.sample = report->options.sample;
+                   options_.bvh8.preset = report->preset;
+               });
+    }
+
+    void clear() noexcept override { tracer_.reset(); }
+
+    void intersect(std::span<const Ray> rays, std::span<Hit> hits,
+                   Queries queries) const noexcept override {
+        if (queries != Queries::single) return tracer_->intersect(rays, hits);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            hits[i] = tracer_->intersect(rays[i]).value_or(Hit{});
+        }
+    }
+
+    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> flags,
+                  Queries queries) const noexcept override {
+        if (queries != Queries::single) {
+            const auto is_occluded = std::make_unique<bool[]>(rays.size());
+            tracer_->occluded(rays, {is_occluded.get(), rays.size()});
+            std::copy_n(is_occluded.get(), rays.size(), flags.begin());
+            return;
+        }
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            flags[i] = tracer_->occluded(rays[i]) ? 1 : 0;
+        }
+    }
+
+private:
+    BuildOptions options_;
+    std::uint64_t memory_limit_bytes_;
+    std::optional<Bvh8Tracer> tracer_;
+    BuildFigures figures_;
+};
+
+}  // namespace
+
+std::unique_ptr<Contestant> make_contestant(const Variant& variant, int threads,
+                                            std::uint64_t memory_limit_bytes) {
+    BuildOptions options = variant.options;
+    options.threads = threads;
+    if (variant.tree == TreeKind::bvh8) {
+        return std::make_unique<Bvh8Contestant>(std::move(options), memory_limit_bytes);
+    }
+    return std::make_unique<KdContestant>(std::move(options), memory_limit_bytes);
+}
+
+}  // namespace coppice::lab
