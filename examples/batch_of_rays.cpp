@@ -23,12 +23,12 @@ int main() {
     }
 
     std::vector<coppice::Hit> hits(rays.size());
-    scene.intersect(rays, hits, 0);  // on all threads; t is infinite where nothing is hit
+    scene.intersect(rays, hits);  // on all threads
 
     const float depth = box.upper.z - box.lower.z;
     for (std::size_t i = 0; i < hits.size(); ++i) {
         const float behind = (hits[i].t - 1.0F) / depth;  // 0 in front, 1 at the back
-        std::putchar(behind > 1.0F ? ' ' : ".:-=+*#%@@"[9 - static_cast<int>(9.0F * behind)]);
+        std::putchar(hits[i].is_hit() ? ".:-=+*#%@@"[9 - static_cast<int>(9.0F * behind)] : ' ');
         if (i % width == width - 1) std::putchar('\n');
     }
 }

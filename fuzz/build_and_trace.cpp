@@ -152,13 +152,13 @@ void check_batch(FuzzedDataProvider& data, TriangleMeshView mesh,
     }
     for (const Bvh8Tracer& tracer : tracers) {
         std::array<Hit, 8> hits;
-        std::array<bool, 8> flags{};
+        std::array<std::uint8_t, 8> flags{};
         tracer.intersect(rays, hits);
         tracer.occluded(rays, flags);
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const Hit expected = tracer.intersect(rays[i]).value_or(Hit{});
             expect(hits[i] == expected, "in a batch the hit of the ray alone");
-            expect(flags[i] == tracer.occluded(rays[i]), "in a batch its occlusion");
+            expect((flags[i] == 1) == tracer.occluded(rays[i]), "in a batch its occlusion");
         }
     }
 }

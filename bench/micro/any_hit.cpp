@@ -4,7 +4,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include <memory>
+#include <cstdint>
+#include <vector>
 
 namespace coppice::bench {
 namespace {
@@ -21,9 +22,9 @@ void any_hit_bvh8(benchmark::State& state) {
 }
 
 void any_hit_batch(benchmark::State& state) {
-    const auto is_occluded = std::make_unique<bool[]>(rays().size());
+    std::vector<std::uint8_t> is_occluded(rays().size());
     run_batch(state, [&](const Bvh8Tracer& tracer, int threads) {
-        tracer.occluded(rays(), {is_occluded.get(), rays().size()}, threads);
+        tracer.occluded(rays(), is_occluded, threads);
     });
 }
 

@@ -21,7 +21,7 @@ void count_hits_bvh8(benchmark::State& state) {
 }
 
 void count_hits_batch(benchmark::State& state) {
-    std::vector<std::uint64_t> counts(rays().size());
+    std::vector<std::size_t> counts(rays().size());
     run_batch(state, [&](const Bvh8Tracer& tracer, int threads) {
         tracer.count_hits(rays(), counts, threads);
     });

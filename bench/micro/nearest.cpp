@@ -33,7 +33,8 @@ void nearest_triangle_batch(benchmark::State& state) {
     const Scene& scene = terrain_scene();
     std::vector<SurfaceNeighbor> found(query_points().size());
     for ([[maybe_unused]] const auto step : state) {
-        scene.search().nearest(query_points(), found, static_cast<int>(state.range(0)));
+        scene.search().nearest(query_points(), found, MeshSearch::anywhere,
+                               static_cast<int>(state.range(0)));
         benchmark::ClobberMemory();
     }
     count_queries(state);

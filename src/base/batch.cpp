@@ -19,9 +19,7 @@ void run_query_ranges(std::size_t count, int threads,
                       const std::function<void(std::size_t, std::size_t)>& run) {
     // Enough to make up for handing it over, few enough to share out evenly.
     constexpr std::size_t chunk_size = 512;
-    if (threads < 0) {
-        throw Error(ErrorCode::invalid_argument, fmt::format("threads {} is less than 0", threads));
-    }
+    require_thread_count(threads);
     if (threads == 1 || count <= chunk_size) {
         run(0, count);
     } else {

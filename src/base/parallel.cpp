@@ -18,6 +18,7 @@
 #include <tbb/task_group.h>
 
 #include <algorithm>
+#include <string>
 
 namespace coppice::inline v0 {
 namespace {
@@ -35,12 +36,19 @@ void run_until_stopped(const std::function<void()>& work, const std::stop_token&
 
 }  // namespace
 
+void require_thread_count(int thread_count) {
+    if (thread_count >= 0) return;
+    throw Error(ErrorCode::invalid_argument, "threads " + std::to_string(thread_count) +
+                                                 " is negative; 0 stands for all there are");
+}
+
 int hardware_thread_count() noexcept {
     return std::max(1, tbb::info::default_concurrency());
 }
 
 void run_with_threads(int thread_count, const std::function<void()>& work,
                       const std::stop_token& stop) {
+    require_thread_count(thread_count);
     // oneTBB has no more threads than the hardware, unless a program allows it, and prints a
     // warning when asked for more.
     const int available = hardware_thread_count();

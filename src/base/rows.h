@@ -36,10 +36,10 @@ void fill_rows(std::string_view query, std::size_t count, std::span<Found> found
 /// Calls `visit_all(i, visit)`, which calls `visit` with all it finds, for every query; counts them
 /// and writes them into the query's row as long as there is room.
 template <typename Found, typename VisitAll>
-void write_rows(std::string_view query, std::span<Found> found, std::span<std::uint32_t> counts,
+void write_rows(std::string_view query, std::span<Found> found, std::span<std::size_t> counts,
                 int threads, const VisitAll& visit_all) {
     for_each_row(query, counts.size(), found, threads, [&](std::size_t i, std::span<Found> row) {
-        std::uint32_t count = 0;
+        std::size_t count = 0;
         visit_all(i, [&](const Found& each) {
             if (count < row.size()) row[count] = each;
             ++count;

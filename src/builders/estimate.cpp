@@ -17,8 +17,8 @@
 
 #include "base/out_of_memory.h"
 #include "builders/bvh8/plan.h"
-#include "builders/finite_boxes.h"
 #include "builders/probe.h"
+#include "builders/require_usable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -94,7 +94,7 @@ BuildEstimate estimate_by(PrimitiveSetView primitives, const BuildOptions& optio
             is_small ? 1 : std::min(most_pieces, primitives.size() / piece_size);
         std::optional<Probe> probe;
         const auto take = [&] {
-            require_finite_boxes(primitives);
+            require_usable(primitives);
             probe = take_probe(primitives, pieces, is_small ? 1 : one_in);
         };
         run_with_threads(options.threads, take, stop);

@@ -38,6 +38,7 @@ auto key_of(Vec3f p) noexcept {
 
 // The vertices that triangles use; others may be anything, also NaN, which cannot be sorted.
 std::vector<std::uint32_t> used_vertices(TriangleMeshView mesh) {
+    mesh.require_valid(0, mesh.size());
     std::vector<bool> is_used(mesh.vertices().size(), false);
     for (const TriangleIndices& triangle : mesh.triangles()) {
         for (const std::uint32_t vertex : triangle) {

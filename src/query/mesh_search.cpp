@@ -73,14 +73,14 @@ void MeshSearch::for_each_overlapping(const Aabb& box,
 }
 
 void MeshSearch::nearest(std::span<const Vec3f> points, std::span<SurfaceNeighbor> found,
-                         int threads, float max_distance) const {
+                         float max_distance, int threads) const {
     require_room("nearest", points.size(), found.size());
     for_each_query(points.size(), threads,
                    [&](std::size_t i) { found[i] = nearest(points[i], max_distance); });
 }
 
 void MeshSearch::nearest_k(std::span<const Vec3f> points, std::span<SurfaceNeighbor> found,
-                           int threads, float max_distance) const {
+                           float max_distance, int threads) const {
     fill_rows("nearest_k", points.size(), found, threads,
               [&](std::size_t i, std::span<SurfaceNeighbor> row) {
                   return nearest_k(points[i], row, max_distance);
@@ -88,7 +88,7 @@ void MeshSearch::nearest_k(std::span<const Vec3f> points, std::span<SurfaceNeigh
 }
 
 void MeshSearch::within(std::span<const Vec3f> centers, float radius,
-                        std::span<SurfaceNeighbor> found, std::span<std::uint32_t> counts,
+                        std::span<SurfaceNeighbor> found, std::span<std::size_t> counts,
                         int threads) const {
     require_room("within", centers.size(), counts.size());
     write_rows("within", found, counts, threads,
@@ -98,7 +98,7 @@ void MeshSearch::within(std::span<const Vec3f> centers, float radius,
 }
 
 void MeshSearch::overlapping(std::span<const Aabb> boxes, std::span<std::uint32_t> found,
-                             std::span<std::uint32_t> counts, int threads) const {
+                             std::span<std::size_t> counts, int threads) const {
     require_room("overlapping", boxes.size(), counts.size());
     write_rows("overlapping", found, counts, threads,
                [&](std::size_t i, Visitor<std::uint32_t> visit) {

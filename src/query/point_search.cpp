@@ -82,15 +82,15 @@ void PointSearch::for_each_overlapping(const Aabb& box,
     if (!box.is_empty()) kernels_->overlapping(searched(), box, visit);
 }
 
-void PointSearch::nearest(std::span<const Vec3f> points, std::span<Neighbor> found, int threads,
-                          float max_distance) const {
+void PointSearch::nearest(std::span<const Vec3f> points, std::span<Neighbor> found,
+                          float max_distance, int threads) const {
     require_room("nearest", points.size(), found.size());
     for_each_query(points.size(), threads,
                    [&](std::size_t i) { found[i] = nearest(points[i], max_distance); });
 }
 
-void PointSearch::nearest_k(std::span<const Vec3f> points, std::span<Neighbor> found, int threads,
-                            float max_distance) const {
+void PointSearch::nearest_k(std::span<const Vec3f> points, std::span<Neighbor> found,
+                            float max_distance, int threads) const {
     fill_rows("nearest_k", points.size(), found, threads,
               [&](std::size_t i, std::span<Neighbor> row) {
                   return nearest_k(points[i], row, max_distance);
@@ -98,7 +98,7 @@ void PointSearch::nearest_k(std::span<const Vec3f> points, std::span<Neighbor> f
 }
 
 void PointSearch::within(std::span<const Vec3f> centers, float radius, std::span<Neighbor> found,
-                         std::span<std::uint32_t> counts, int threads) const {
+                         std::span<std::size_t> counts, int threads) const {
     require_room("within", centers.size(), counts.size());
     write_rows("within", found, counts, threads, [&](std::size_t i, Visitor<Neighbor> visit) {
         for_each_within(centers[i], radius, visit);
@@ -106,7 +106,7 @@ void PointSearch::within(std::span<const Vec3f> centers, float radius, std::span
 }
 
 void PointSearch::overlapping(std::span<const Aabb> boxes, std::span<std::uint32_t> found,
-                              std::span<std::uint32_t> counts, int threads) const {
+                              std::span<std::size_t> counts, int threads) const {
     require_room("overlapping", boxes.size(), counts.size());
     write_rows("overlapping", found, counts, threads,
                [&](std::size_t i, Visitor<std::uint32_t> visit) {

@@ -50,8 +50,8 @@ std::size_t brute_force_intersect_all(TriangleMeshView mesh, const Ray& ray, std
     return list.size();
 }
 
-std::uint64_t brute_force_count_hits(TriangleMeshView mesh, const Ray& ray) noexcept {
-    std::uint64_t count = 0;
+std::size_t brute_force_count_hits(TriangleMeshView mesh, const Ray& ray) noexcept {
+    std::size_t count = 0;
     for_each_hit(mesh, ray, [&](const Hit& /*hit*/) {
         ++count;
         return false;

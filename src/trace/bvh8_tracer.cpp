@@ -39,7 +39,7 @@ std::size_t Bvh8Tracer::intersect_all(const Ray& ray, std::span<Hit> hits,
     return kernels_->first(tree_, ray, hits, after);
 }
 
-std::uint64_t Bvh8Tracer::count_hits(const Ray& ray) const noexcept {
+std::size_t Bvh8Tracer::count_hits(const Ray& ray) const noexcept {
     return count_by(
         [&](std::span<Hit> hits, const Hit* after) { return intersect_all(ray, hits, after); });
 }
@@ -52,7 +52,7 @@ void Bvh8Tracer::intersect(std::span<const Ray> rays, std::span<Hit> hits, int t
     });
 }
 
-void Bvh8Tracer::occluded(std::span<const Ray> rays, std::span<bool> is_occluded,
+void Bvh8Tracer::occluded(std::span<const Ray> rays, std::span<std::uint8_t> is_occluded,
                           int threads) const {
     require_room("occluded", rays.size(), is_occluded.size());
     run_queries(rays.size(), threads, [&](std::size_t begin, std::size_t end) {
@@ -69,7 +69,7 @@ void Bvh8Tracer::intersect_all(std::span<const Ray> rays, std::span<Hit> hits,
         [&](std::size_t i, std::span<Hit> row) { counts[i] = intersect_all(rays[i], row); });
 }
 
-void Bvh8Tracer::count_hits(std::span<const Ray> rays, std::span<std::uint64_t> counts,
+void Bvh8Tracer::count_hits(std::span<const Ray> rays, std::span<std::size_t> counts,
                             int threads) const {
     require_room("count_hits", rays.size(), counts.size());
     for_each_query(rays.size(), threads, [&](std::size_t i) { counts[i] = count_hits(rays[i]); });

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <span>
 
@@ -64,10 +63,10 @@ private:
 /// How many hits there are, by a query that gives some hits at a time:
 /// `find(std::span<Hit> hits, const Hit* after)` is one like intersect_all().
 template <typename Find>
-[[nodiscard]] std::uint64_t count_by(Find&& find) noexcept {
+[[nodiscard]] std::size_t count_by(Find&& find) noexcept {
     constexpr std::size_t at_a_time = 64;
     std::array<Hit, at_a_time> hits;
-    std::uint64_t count = 0;
+    std::size_t count = 0;
     for (const Hit* after = nullptr;;) {
         const std::size_t found = find(std::span<Hit>(hits), after);
         count += found;

@@ -300,7 +300,7 @@ std::size_t intersect_all(const KdTree& tree, TriangleMeshView mesh, const Ray& 
     return list.size();
 }
 
-std::uint64_t count_hits(const KdTree& tree, TriangleMeshView mesh, const Ray& ray) noexcept {
+std::size_t count_hits(const KdTree& tree, TriangleMeshView mesh, const Ray& ray) noexcept {
     return count_by([&](std::span<Hit> hits, const Hit* after) {
         return intersect_all(tree, mesh, ray, hits, after);
     });

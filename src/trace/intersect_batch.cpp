@@ -16,10 +16,10 @@ void intersect(const KdTree& tree, TriangleMeshView mesh, std::span<const Ray> r
 }
 
 void occluded(const KdTree& tree, TriangleMeshView mesh, std::span<const Ray> rays,
-              std::span<bool> is_occluded, int threads) {
+              std::span<std::uint8_t> is_occluded, int threads) {
     require_room("occluded", rays.size(), is_occluded.size());
     for_each_query(rays.size(), threads,
-                   [&](std::size_t i) { is_occluded[i] = occluded(tree, mesh, rays[i]); });
+                   [&](std::size_t i) { is_occluded[i] = occluded(tree, mesh, rays[i]) ? 1 : 0; });
 }
 
 void intersect_all(const KdTree& tree, TriangleMeshView mesh, std::span<const Ray> rays,
@@ -32,7 +32,7 @@ void intersect_all(const KdTree& tree, TriangleMeshView mesh, std::span<const Ra
 }
 
 void count_hits(const KdTree& tree, TriangleMeshView mesh, std::span<const Ray> rays,
-                std::span<std::uint64_t> counts, int threads) {
+                std::span<std::size_t> counts, int threads) {
     require_room("count_hits", rays.size(), counts.size());
     for_each_query(rays.size(), threads,
                    [&](std::size_t i) { counts[i] = count_hits(tree, mesh, rays[i]); });

@@ -262,6 +262,7 @@ const char* finding_name(ValidationIssueKind kind) noexcept {
 
 std::vector<ValidationIssue> validate(const KdTree& tree, PrimitiveSetView primitives,
                                       std::size_t limit) {
+    primitives.require_valid(0, primitives.size());
     return Validator(tree, primitives, limit).run();
 }
 

@@ -151,6 +151,7 @@ private:
 }  // namespace
 
 std::vector<ValidationIssue> validate(const Bvh8& tree, TriangleMeshView mesh, std::size_t limit) {
+    mesh.require_valid(0, mesh.size());
     return Bvh8Validator(tree, mesh, limit).run();
 }
 

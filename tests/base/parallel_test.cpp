@@ -143,6 +143,16 @@ TEST(RunWithThreads, RunsOnceAndReturnsAfterwards) {
     EXPECT_EQ(runs, 1);
 }
 
+TEST(RunWithThreads, RefusesFewerThanNone) {
+    try {
+        run_with_threads(-1, [] { FAIL() << "it ran"; });
+        FAIL() << "it returned";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::invalid_argument);
+        EXPECT_STREQ(error.what(), "threads -1 is negative; 0 stands for all there are");
+    }
+}
+
 TEST(RunWithThreads, PassesExceptionsOn) {
     for (const int threads : {0, 1, 2}) {
         EXPECT_THROW(run_with_threads(threads, [] { throw Error(ErrorCode::io, "work"); }), Error);

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 namespace coppice::test {
 namespace {
 
@@ -35,6 +37,33 @@ TEST(TriangleMeshView, SeesTheMesh) {
     EXPECT_EQ(view.triangles().data(), mesh.triangles.data());
     EXPECT_EQ(view.triangle(1), (Triangle{Vec3f{0, 0, 3}, Vec3f{0, 2, 0}, Vec3f{1, 0, 0}}));
     EXPECT_EQ(view.bounds(1), (Aabb{{0, 0, 0}, {1, 2, 3}}));
+}
+
+TEST(TriangleMeshView, FindsTheFirstInvalidIndex) {
+    const TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}},
+                            {{0, 1, 2}, {2, 1, 0}, {0, 3, 1}, {0, 1, 2}, {7, 0, 9}}};
+    const TriangleMeshView view = mesh.view();
+    EXPECT_EQ(view.first_invalid(0, 2), 2U) << "none";
+    EXPECT_EQ(view.first_invalid(0, 5), 2U);
+    EXPECT_EQ(view.first_invalid(3, 5), 4U);
+    EXPECT_EQ(view.first_invalid(3, 3), 3U);
+    EXPECT_NO_THROW(view.require_valid(0, 2));
+    const PrimitiveSetView set(view);
+    for (const auto& require : {std::function([&] { view.require_valid(3, 5); }),
+                                std::function([&] { set.require_valid(3, 5); })}) {
+        try {
+            require();
+            FAIL() << "it returned";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::invalid_argument);
+            EXPECT_STREQ(error.what(),
+                         "triangle 4 has the vertex index 7, but there are 3 vertices");
+        }
+    }
+    const PointCloudView points(mesh.vertices);
+    EXPECT_NO_THROW(PrimitiveSetView(points).require_valid(0, 3)) << "nothing to check";
+    const TriangleMesh no_vertices{{}, {{0, 0, 0}}};
+    EXPECT_EQ(no_vertices.view().first_invalid(0, 1), 0U);
 }
 
 TEST(TriangleMeshView, RefusesMoreTrianglesThanIds) {

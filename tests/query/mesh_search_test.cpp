@@ -178,9 +178,9 @@ TEST(MeshSearch, BatchesEqualSingleQueries) {
         std::vector<SurfaceNeighbor> nearest(points.size());
         std::vector<SurfaceNeighbor> rows(k * points.size());
         std::vector<std::uint32_t> ids(k * points.size());
-        std::vector<std::uint32_t> counts(points.size());
-        search.nearest(points, nearest, threads);
-        search.nearest_k(points, rows, threads, 0.4F);
+        std::vector<std::size_t> counts(points.size());
+        search.nearest(points, nearest, MeshSearch::anywhere, threads);
+        search.nearest_k(points, rows, 0.4F, threads);
         for (std::size_t i = 0; i < points.size(); ++i) {
             EXPECT_TRUE(is_same(nearest[i], search.nearest(points[i])));
             const auto row = std::vector(&rows[k * i], &rows[k * i] + k);
@@ -208,11 +208,11 @@ TEST(MeshSearch, BatchesCheckTheirSpans) {
     const MeshSearch search{Bvh8()};
     const std::array<Vec3f, 3> points{};
     std::array<SurfaceNeighbor, 4> found;
-    std::array<std::uint32_t, 2> counts{};
+    std::array<std::size_t, 2> counts{};
     EXPECT_THROW(search.nearest(points, found), Error);
     EXPECT_THROW(search.nearest_k(points, found), Error);
     EXPECT_THROW(search.within(points, 1.0F, {}, counts), Error);
-    EXPECT_THROW(search.nearest(points, std::span(found).first(3), -1), Error);
+    EXPECT_THROW(search.nearest(points, std::span(found).first(3), 1.0F, -1), Error);
     EXPECT_THROW(search.nearest_k(std::span<const Vec3f>{}, found), Error);
     EXPECT_NO_THROW(search.nearest(std::span<const Vec3f>{}, {}));
 }

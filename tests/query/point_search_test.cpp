@@ -150,9 +150,9 @@ TEST(PointSearch, BatchesEqualSingleQueries) {
         std::vector<Neighbor> nearest(count);
         std::vector<Neighbor> rows(k * count);
         std::vector<std::uint32_t> ids(k * count);
-        std::vector<std::uint32_t> counts(count);
-        search.nearest(places, nearest, threads);
-        search.nearest_k(places, rows, threads, 0.4F);
+        std::vector<std::size_t> counts(count);
+        search.nearest(places, nearest, PointSearch::anywhere, threads);
+        search.nearest_k(places, rows, 0.4F, threads);
         for (std::size_t i = 0; i < count; ++i) {
             EXPECT_TRUE(are_same({nearest[i]}, {search.nearest(places[i])}));
             auto expected = find_k(search, places[i], k, 0.4F);
@@ -179,7 +179,7 @@ TEST(PointSearch, ChecksWhatItIsGiven) {
     EXPECT_THROW(PointSearch(tree, PointCloudView(std::span(points).first(2))), Error);
     const PointSearch search(tree, PointCloudView(points));
     std::array<Neighbor, 4> found;
-    std::array<std::uint32_t, 2> counts{};
+    std::array<std::size_t, 2> counts{};
     EXPECT_THROW(search.nearest(points, found), Error);
     EXPECT_THROW(search.nearest_k(points, found), Error);
     EXPECT_THROW(search.within(points, 1.0F, {}, counts), Error);

@@ -48,10 +48,13 @@ TEST(Scene, TracesManyRaysAndAllHits) {
     std::array<Hit, 2> hits;
     scene.intersect(rays, hits);
     EXPECT_EQ(hits[0], scene.intersect(rays[0]));
+    EXPECT_TRUE(hits[0].is_hit());
     EXPECT_EQ(hits[1], Hit{});
-    std::array<bool, 2> is_occluded{};
+    EXPECT_FALSE(hits[1].is_hit());
+    EXPECT_THROW(scene.intersect(rays, hits, -1), Error);
+    std::array<std::uint8_t, 2> is_occluded{7, 7};
     scene.occluded(rays, is_occluded, 2);
-    EXPECT_EQ(is_occluded, (std::array{true, false}));
+    EXPECT_EQ(is_occluded, (std::array<std::uint8_t, 2>{1, 0}));
     EXPECT_EQ(scene.count_hits(rays[0]), 2U) << "in and out";
     EXPECT_EQ(scene.intersect_all(rays[0], hits), 2U);
     EXPECT_LT(hits[0].t, hits[1].t);

@@ -131,7 +131,7 @@ void expect_all_like_single(const Bvh8Tracer& tracer, std::span<const Ray> rays,
     constexpr std::size_t room = 3;
     std::vector<Hit> hits(room * rays.size());
     std::vector<std::size_t> found(rays.size());
-    std::vector<std::uint64_t> counts(rays.size());
+    std::vector<std::size_t> counts(rays.size());
     tracer.intersect_all(rays, hits, found, threads);
     tracer.count_hits(rays, counts, threads);
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -145,12 +145,13 @@ void expect_all_like_single(const Bvh8Tracer& tracer, std::span<const Ray> rays,
 
 void expect_batch_like_single(const Bvh8Tracer& tracer, std::span<const Ray> rays, int threads) {
     std::vector<Hit> hits(rays.size());
-    const auto is_occluded = std::make_unique<bool[]>(rays.size());
+    std::vector<std::uint8_t> is_occluded(rays.size(), 7);
     tracer.intersect(rays, hits, threads);
-    tracer.occluded(rays, {is_occluded.get(), rays.size()}, threads);
+    tracer.occluded(rays, is_occluded, threads);
     for (std::size_t i = 0; i < rays.size(); ++i) {
         ASSERT_EQ(hits[i], tracer.intersect(rays[i]).value_or(Hit{})) << i;
-        ASSERT_EQ(is_occluded[i], tracer.occluded(rays[i])) << i;
+        ASSERT_EQ(is_occluded[i], tracer.occluded(rays[i]) ? 1 : 0) << i;
+        ASSERT_EQ(hits[i].is_hit(), is_occluded[i] == 1) << i;
     }
 }
 
@@ -168,10 +169,11 @@ TEST_P(EveryIsa, BatchesAreWhatSingleRaysAre) {
     }
     std::vector<Hit> too_few(rays.size() - 1);
     std::vector<std::size_t> found(rays.size());
-    std::vector<std::uint64_t> counts(rays.size() + 1);
+    std::vector<std::size_t> counts(rays.size() + 1);
     EXPECT_THROW(tracer.intersect(rays, too_few), Error);
     EXPECT_THROW(tracer.intersect_all(rays, too_few, found), Error);
     EXPECT_THROW(tracer.count_hits(rays, counts), Error);
+    EXPECT_THROW(tracer.intersect_all(rays, {}, found, -1), Error);
     tracer.intersect_all(rays, {}, found);  // room for no hit of any ray
     EXPECT_EQ(found, std::vector<std::size_t>(rays.size(), 0));
 }

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
+#include <cstdint>
 #include <vector>
 
 namespace coppice::test {
@@ -31,18 +31,18 @@ TEST(IntersectBatch, IsWhatSingleRaysAre) {
     constexpr std::size_t room = 3;
     for (const int threads : {1, 2, 0}) {
         std::vector<Hit> hits(rays.size());
-        const auto is_occluded = std::make_unique<bool[]>(rays.size());
+        std::vector<std::uint8_t> is_occluded(rays.size(), 7);
         std::vector<Hit> all(room * rays.size());
         std::vector<std::size_t> found(rays.size());
-        std::vector<std::uint64_t> counts(rays.size());
+        std::vector<std::size_t> counts(rays.size());
         intersect(tree, mesh.view(), rays, hits, threads);
-        occluded(tree, mesh.view(), rays, {is_occluded.get(), rays.size()}, threads);
+        occluded(tree, mesh.view(), rays, is_occluded, threads);
         intersect_all(tree, mesh.view(), rays, all, found, threads);
         count_hits(tree, mesh.view(), rays, counts, threads);
         for (std::size_t i = 0; i < rays.size(); ++i) {
             std::array<Hit, room> expected;
             ASSERT_EQ(hits[i], intersect(tree, mesh.view(), rays[i]).value_or(Hit{})) << i;
-            ASSERT_EQ(is_occluded[i], occluded(tree, mesh.view(), rays[i])) << i;
+            ASSERT_EQ(is_occluded[i], occluded(tree, mesh.view(), rays[i]) ? 1 : 0) << i;
             ASSERT_EQ(found[i], intersect_all(tree, mesh.view(), rays[i], expected)) << i;
             ASSERT_TRUE(std::equal(expected.begin(), expected.begin() + found[i],
                                    all.begin() + static_cast<std::ptrdiff_t>(room * i)));
@@ -57,8 +57,8 @@ TEST(IntersectBatch, RefusesSpansThatDoNotFit) {
     const std::vector<Ray> rays = make_rays(10);
     std::vector<Hit> hits(19);
     std::vector<std::size_t> found(10);
-    std::vector<std::uint64_t> counts(9);
-    std::array<bool, 11> is_occluded{};
+    std::vector<std::size_t> counts(9);
+    std::array<std::uint8_t, 11> is_occluded{};
     EXPECT_THROW(intersect(tree, mesh.view(), rays, hits), Error);
     EXPECT_THROW(occluded(tree, mesh.view(), rays, is_occluded), Error);
     EXPECT_THROW(intersect_all(tree, mesh.view(), rays, hits, found), Error);

@@ -61,7 +61,7 @@ void compare(const Expected& expected, Closest&& closest, Any&& any) {
         ASSERT_EQ(found.prim, hit.prim) << "ray " << i;
         ASSERT_EQ(found.u, hit.u) << "ray " << i;
         ASSERT_EQ(found.v, hit.v) << "ray " << i;
-        ASSERT_EQ(any(expected.rays[i]), hit.t != Hit{}.t) << "ray " << i;
+        ASSERT_EQ(any(expected.rays[i]), hit.is_hit()) << "ray " << i;
     }
 }
 

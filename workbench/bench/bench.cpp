@@ -76,7 +76,7 @@ void trace(const Contestant& contestant, RayKind kind, std::span<const Ray> rays
 }
 
 bool is_same(const Hit& a, const Hit& b) {
-    if (!std::isfinite(a.t) || !std::isfinite(b.t)) return a.t == b.t;
+    if (!a.is_hit() || !b.is_hit()) return a.is_hit() == b.is_hit();
     return std::abs(a.t - b.t) <= 1e-5F * std::max(std::abs(a.t), std::abs(b.t));
 }
 

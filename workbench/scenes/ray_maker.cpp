@@ -48,8 +48,8 @@ std::size_t RayMaker::look(int size) {
     seen_rays_ = primary_rays(options_.camera, size);
     seen_hits_.resize(seen_rays_.size());
     trace_rays(tree_, RayKind::primary, seen_rays_, seen_hits_);
-    return static_cast<std::size_t>(std::count_if(
-        seen_hits_.begin(), seen_hits_.end(), [](const Hit& hit) { return std::isfinite(hit.t); }));
+    return static_cast<std::size_t>(std::count_if(seen_hits_.begin(), seen_hits_.end(),
+                                                  [](const Hit& hit) { return hit.is_hit(); }));
 }
 
 }  // namespace coppice::lab

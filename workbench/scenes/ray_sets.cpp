@@ -52,7 +52,7 @@ std::vector<Ray> rays_from_hits(TriangleMeshView mesh, std::span<const Ray> rays
     std::vector<Ray> made;
     made.reserve(rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (!std::isfinite(hits[i].t)) continue;
+        if (!hits[i].is_hit()) continue;
         const SurfacePoint point = surface_point(mesh, rays[i], hits[i]);
         made.push_back(make(i, point, to_float(point.position + offset * point.normal)));
     }

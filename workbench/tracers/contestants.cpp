@@ -103,7 +103,7 @@ public:
 
     void intersect(std::span<const Ray> rays, std::span<Hit> hits,
                    Queries queries) const noexcept override {
-        if (queries != Queries::single) return tracer_->intersect(rays, hits);
+        if (queries != Queries::single) return tracer_->intersect(rays, hits, 1);
         for (std::size_t i = 0; i < rays.size(); ++i) {
             hits[i] = tracer_->intersect(rays[i]).value_or(Hit{});
         }
@@ -111,12 +111,7 @@ public:
 
     void occluded(std::span<const Ray> rays, std::span<std::uint8_t> flags,
                   Queries queries) const noexcept override {
-        if (queries != Queries::single) {
-            const auto is_occluded = std::make_unique<bool[]>(rays.size());
-            tracer_->occluded(rays, {is_occluded.get(), rays.size()});
-            std::copy_n(is_occluded.get(), rays.size(), flags.begin());
-            return;
-        }
+        if (queries != Queries::single) return tracer_->occluded(rays, flags, 1);
         for (std::size_t i = 0; i < rays.size(); ++i) {
             flags[i] = tracer_->occluded(rays[i]) ? 1 : 0;
         }

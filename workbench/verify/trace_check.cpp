@@ -21,13 +21,9 @@ namespace {
 
 constexpr std::string_view embree_name = "embree-robust";
 
-bool is_hit(const Hit& hit) noexcept {
-    return std::isfinite(hit.t);
-}
-
 /// Whether an answer is the truth, for shadow rays as to whether there is a hit.
 bool is_right(const Hit& answer, const std::optional<ExactHit>& exact, RayKind kind) noexcept {
-    if (is_hit(answer) != exact.has_value()) return false;
+    if (answer.is_hit() != exact.has_value()) return false;
     return !exact || kind == RayKind::shadow || is_same_distance(answer.t, exact->t);
 }
 
@@ -62,10 +58,10 @@ TraceComparison HitCheck::compare(const TracedTree& tree, RayKind kind, std::spa
         const Hit& ours = hits[i];
         const Hit& theirs = expected[i];
         if (is_same_distance(ours.t, theirs.t)) {
-            comparison.ties += is_hit(ours) && ours.prim != theirs.prim ? 1 : 0;
+            comparison.ties += ours.is_hit() && ours.prim != theirs.prim ? 1 : 0;
             continue;
         }
-        ++(is_hit(ours) == is_hit(theirs) ? comparison.distance : comparison.hit_miss);
+        ++(ours.is_hit() == theirs.is_hit() ? comparison.distance : comparison.hit_miss);
         differences.push_back({.ray = rays[i], .index = i, .ours = ours, .reference = theirs});
     }
     parallel_for_chunks(differences.size(), 16, [&](std::size_t begin, std::size_t end) {
@@ -105,7 +101,7 @@ std::vector<Hit> HitCheck::trace_reference(RayKind kind, std::span<const Ray> ra
         }
         for (std::size_t i = begin; i < end; ++i) {
             hits[i] = reference_hit(rays[i]);
-            if (kind == RayKind::shadow && is_hit(hits[i])) hits[i] = {.t = 0.0F};
+            if (kind == RayKind::shadow && hits[i].is_hit()) hits[i] = {.t = 0.0F};
         }
     });
     return hits;
@@ -122,7 +118,7 @@ void HitCheck::judge(const TracedTree& tree, RayKind kind, TraceDifference& diff
     const Ray& ray = difference.ray;
     std::vector<std::uint32_t> claimed;
     const auto claim = [&](const Hit& hit) {
-        if (is_hit(hit)) claimed.push_back(hit.prim);
+        if (hit.is_hit()) claimed.push_back(hit.prim);
     };
     // Any-hit queries do not tell what they hit: closest-hit queries do, if they agree with them.
     claim(kind == RayKind::shadow ? tree.intersect(ray).value_or(Hit{}) : difference.ours);

@@ -29,9 +29,9 @@ Json limit_json(float t) {
 }
 
 Json answer_json(const Hit& hit, RayKind kind, bool is_right) {
-    Json json{{"hit", std::isfinite(hit.t)}};
+    Json json{{"hit", hit.is_hit()}};
     if (kind != RayKind::shadow) {
-        json["prim"] = std::isfinite(hit.t) ? Json(hit.prim) : Json();
+        json["prim"] = hit.is_hit() ? Json(hit.prim) : Json();
         json["t"] = limit_json(hit.t);
     }
     json["right"] = is_right;

@@ -100,8 +100,8 @@ private:
         const Timer timer;
         trace_rays(*tree_, kind, rays, hits);
         row.seconds = timer.seconds();
-        row.hits = static_cast<std::uint64_t>(std::count_if(
-            hits.begin(), hits.end(), [](const Hit& hit) { return std::isfinite(hit.t); }));
+        row.hits = static_cast<std::uint64_t>(
+            std::count_if(hits.begin(), hits.end(), [](const Hit& hit) { return hit.is_hit(); }));
         if (run_.options.counts) {
             tell(name + " rays, counting");
             row.counts = count(*tree_, kind, rays);

@@ -47,7 +47,7 @@ std::string count_table(const TraceScene& scene) {
 }
 
 std::string answer_text(const Hit& hit, RayKind kind) {
-    if (!std::isfinite(hit.t)) return "no hit";
+    if (!hit.is_hit()) return "no hit";
     if (kind == RayKind::shadow) return "a hit";
     return fmt::format("triangle {} at {:.9g}", hit.prim, hit.t);
 }

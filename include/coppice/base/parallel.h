@@ -11,10 +11,14 @@ namespace coppice::inline v0 {
 /// The number of hardware threads this process may use; at least 1.
 [[nodiscard]] int hardware_thread_count() noexcept;
 
+/// The rule for every number of threads in this library: at most so many, and 0 for all that the
+/// hardware has. Throws Error(invalid_argument) if it is negative.
+void require_thread_count(int thread_count);
+
 /// Runs `work` with at most `thread_count` threads for everything parallel inside it
-/// (0 = all hardware threads). Exceptions of `work` reach the caller. Once a stop is requested, no
-/// task inside begins any more, those that run end at their next throw_if_cancelled(), and
-/// Error(cancelled) is thrown.
+/// (0 = all the hardware has). Throws Error(invalid_argument) if it is negative. Exceptions of
+/// `work` reach the caller. Once a stop is requested, no task inside begins any more, those that
+/// run end at their next throw_if_cancelled(), and Error(cancelled) is thrown.
 void run_with_threads(int thread_count, const std::function<void()>& work,
                       const std::stop_token& stop = {});
 

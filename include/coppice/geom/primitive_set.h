@@ -14,7 +14,10 @@ namespace coppice::inline v0 {
 /// - `clipped_bounds(id, box)` is the box of its part inside `box`, within `box`, and empty if no
 ///   part is. It may be larger than need be, never smaller; `intersection(bounds(id), box)` will
 ///   do.
-/// Both are called from several threads at once.
+/// Both are called from several threads at once. A set of which an id may be out of order, as a
+/// mesh of an index without a vertex, can also have `require_valid(first, last)`: it throws an
+/// Error that names the first such primitive of [first, last). build_kd_tree() and build_bvh8() ask
+/// it before they ask for boxes.
 template <typename T>
 concept PrimitiveSet = requires(const T& set, std::uint32_t id, const Aabb& box) {
     { set.size() } -> std::convertible_to<std::uint32_t>;
@@ -47,12 +50,18 @@ public:
         return calls_->clipped_bounds(set_, id, box);
     }
 
+    /// Throws what the set's own require_valid() does, if it has one.
+    void require_valid(std::uint32_t first, std::uint32_t last) const {
+        calls_->require_valid(set_, first, last);
+    }
+
 private:
     struct Calls {
         std::uint32_t (*size)(const void*);
         Aabb (*bounds)(const void*, std::uint32_t);
         void (*many_bounds)(const void*, std::uint32_t, std::span<Aabb>);
         Aabb (*clipped_bounds)(const void*, std::uint32_t, const Aabb&);
+        void (*require_valid)(const void*, std::uint32_t, std::uint32_t);
     };
 
     template <PrimitiveSet Set>
@@ -70,6 +79,11 @@ private:
         },
         [](const void* set, std::uint32_t id, const Aabb& box) {
             return static_cast<Aabb>(static_cast<const Set*>(set)->clipped_bounds(id, box));
+        },
+        [](const void* set, std::uint32_t first, std::uint32_t last) {
+            if constexpr (requires(const Set& it) { it.require_valid(first, last); }) {
+                static_cast<const Set*>(set)->require_valid(first, last);
+            }
         }};
 
     const void* set_;

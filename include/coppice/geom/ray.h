@@ -46,16 +46,22 @@ struct RayAxes {
     std::size_t z;
 };
 
-/// Where a ray meets a primitive. For triangles (u, v) are the barycentric coordinates of the
-/// second and third vertex; `normal` is (b - a) x (c - a), which points to the side from which the
-/// corners a, b, c are seen in counter-clockwise order. Its length is twice the triangle's area:
-/// for edges above 1e19 it overflows, for edges below 1e-22 it is 0.
+/// Where a ray meets a primitive; one with infinite t, as a default one has, is no hit. For
+/// triangles (u, v) are the barycentric coordinates of the second and third vertex; `normal` is (b
+/// - a) x (c - a), which points to the side from which the corners a, b, c are seen in
+/// counter-clockwise order. Its length is twice the triangle's area: for edges above 1e19 it
+/// overflows, for edges below 1e-22 it is 0.
 struct Hit {
     float t = std::numeric_limits<float>::infinity();
     float u = 0.0F;
     float v = 0.0F;
     std::uint32_t prim = 0;
     Vec3f normal;
+
+    /// False for what batches write where a ray hits nothing.
+    [[nodiscard]] bool is_hit() const noexcept {
+        return t < std::numeric_limits<float>::infinity();
+    }
 
     friend bool operator==(const Hit&, const Hit&) = default;
 };

@@ -14,7 +14,9 @@ namespace coppice::inline v0 {
 using TriangleIndices = std::array<std::uint32_t, 3>;
 
 /// An indexed triangle mesh that does not own its arrays and must not outlive them. All indices
-/// must be below vertices.size(). Satisfies PrimitiveSet: primitive i is triangle i.
+/// must be below vertices.size(): where a mesh enters the library (builders, SignedDistance,
+/// validate()) that is checked, and queries rely on it. Satisfies PrimitiveSet: primitive i is
+/// triangle i.
 class TriangleMeshView {
 public:
     TriangleMeshView() = default;
@@ -46,6 +48,13 @@ public:
     [[nodiscard]] Aabb clipped_bounds(std::uint32_t id, const Aabb& box) const noexcept {
         return clipped_triangle_bounds(triangle(id), box);
     }
+
+    /// The first triangle of [first, last) with an index that no vertex has, or `last`.
+    [[nodiscard]] std::uint32_t first_invalid(std::uint32_t first,
+                                              std::uint32_t last) const noexcept;
+
+    /// Throws Error(invalid_argument) naming that triangle and the index, if there is one.
+    void require_valid(std::uint32_t first, std::uint32_t last) const;
 
 private:
     std::span<const Vec3f> vertices_;

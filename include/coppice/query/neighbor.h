@@ -8,9 +8,10 @@
 
 namespace coppice::inline v0 {
 
-/// A point of a cloud near to another point. Results compare by distance, equally near ones by id.
+/// A point of a cloud near to another point; one at infinite distance, as a default one is, was not
+/// found. Results compare by distance, equally near ones by id.
 struct Neighbor {
-    double distance_squared = std::numeric_limits<double>::infinity();  ///< infinite: none found
+    double distance_squared = std::numeric_limits<double>::infinity();
     std::uint32_t prim = 0;
 
     [[nodiscard]] double distance() const noexcept { return std::sqrt(distance_squared); }
@@ -22,7 +23,7 @@ struct Neighbor {
 
 /// The point of a triangle nearest to another point: what a mesh has for a Neighbor.
 struct SurfaceNeighbor {
-    double distance_squared = std::numeric_limits<double>::infinity();  ///< infinite: none found
+    double distance_squared = std::numeric_limits<double>::infinity();
     Vec3f point;
     float u = 0.0F;  ///< barycentric coordinate of the triangle's second corner
     float v = 0.0F;  ///< of the third

@@ -25,7 +25,8 @@ struct SearchedPoints;
 /// lowest id comes first.
 ///
 /// Queries are reentrant, allocate nothing and never throw, but for the batched ones, which start
-/// tasks, and throw Error(invalid_argument) if spans do not fit together. Nothing is found near a
+/// tasks, and throw Error(invalid_argument) for spans that do not fit together and for negative
+/// `threads` (0 = all). Nothing is found near a
 /// point that is not finite, within a distance that is negative or NaN, or in a box that is empty.
 /// Distances are inclusive, in the units of the points.
 class PointSearch {
@@ -53,24 +54,23 @@ public:
     /// Calls `visit` with the ids of all points in a closed box, in no particular order.
     void for_each_overlapping(const Aabb& box, Visitor<std::uint32_t> visit) const noexcept;
 
-    /// nearest() of many places at once: found[i] is that of points[i]. On at most `threads`
-    /// threads; 0: on all.
-    void nearest(std::span<const Vec3f> points, std::span<Neighbor> found, int threads = 0,
-                 float max_distance = anywhere) const;
+    /// nearest() of many places at once: found[i] is that of points[i].
+    void nearest(std::span<const Vec3f> points, std::span<Neighbor> found,
+                 float max_distance = anywhere, int threads = 0) const;
 
     /// nearest_k() of many places: their rows in `found` follow one another, k = found.size() /
     /// points.size() each; rows are filled up with what is not is_found().
-    void nearest_k(std::span<const Vec3f> points, std::span<Neighbor> found, int threads = 0,
-                   float max_distance = anywhere) const;
+    void nearest_k(std::span<const Vec3f> points, std::span<Neighbor> found,
+                   float max_distance = anywhere, int threads = 0) const;
 
     /// for_each_within() of many centers: counts[i] is the number of points there, and row i of
     /// `found` (see nearest_k()) has the first that were found, as many as it can hold.
     void within(std::span<const Vec3f> centers, float radius, std::span<Neighbor> found,
-                std::span<std::uint32_t> counts, int threads = 0) const;
+                std::span<std::size_t> counts, int threads = 0) const;
 
     /// for_each_overlapping() of many boxes, in the same form.
     void overlapping(std::span<const Aabb> boxes, std::span<std::uint32_t> found,
-                     std::span<std::uint32_t> counts, int threads = 0) const;
+                     std::span<std::size_t> counts, int threads = 0) const;
 
     [[nodiscard]] const KdTree& tree() const noexcept { return *tree_; }
 

@@ -32,15 +32,15 @@ class SignedDistance {
 public:
     /// `search` is over the triangles of `mesh`, which need not outlive the call. O(N log N), 42
     /// bytes a triangle. Throws Error(unsupported) naming the first edge if the mesh is not closed,
-    /// and if it has no triangles.
+    /// and if it has no triangles; Error(invalid_argument) for an index that no vertex has.
     SignedDistance(TriangleMeshView mesh, MeshSearch search);
 
     /// The nearest triangle of a point with the signed distance to it. Nothing is found for a point
     /// that is not finite. Reentrant, allocates nothing.
     [[nodiscard]] SignedNeighbor nearest(Vec3f point) const noexcept;
 
-    /// The signed distances of many points, on at most `threads` threads (0: all). Throws
-    /// Error(invalid_argument) if the spans differ in length.
+    /// The signed distances of many points, on at most `threads` threads (0 = all). Throws
+    /// Error(invalid_argument) if the spans differ in length, and for negative `threads`.
     void distances(std::span<const Vec3f> points, std::span<double> found, int threads = 0) const;
 
 private:

@@ -39,29 +39,31 @@ public:
     }
 
     /// The number of triangles that the ray hits.
-    [[nodiscard]] std::uint64_t count_hits(const Ray& ray) const noexcept {
+    [[nodiscard]] std::size_t count_hits(const Ray& ray) const noexcept {
         return tracer_.count_hits(ray);
     }
 
-    /// The closest hit of each ray, with infinite t where there is none; 0 threads for all.
-    void intersect(std::span<const Ray> rays, std::span<Hit> hits, int threads = 1) const {
+    /// The closest hit of each ray, one that is not is_hit() where there is none, on at most
+    /// `threads` threads (0 = all).
+    void intersect(std::span<const Ray> rays, std::span<Hit> hits, int threads = 0) const {
         tracer_.intersect(rays, hits, threads);
     }
 
-    /// Whether anything lies on each ray.
-    void occluded(std::span<const Ray> rays, std::span<bool> is_occluded, int threads = 1) const {
+    /// 1 for each ray on which anything lies, else 0.
+    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> is_occluded,
+                  int threads = 0) const {
         tracer_.occluded(rays, is_occluded, threads);
     }
 
     /// The first hits of each ray, as many of each as there is room for; see Bvh8Tracer.
     void intersect_all(std::span<const Ray> rays, std::span<Hit> hits,
-                       std::span<std::size_t> counts, int threads = 1) const {
+                       std::span<std::size_t> counts, int threads = 0) const {
         tracer_.intersect_all(rays, hits, counts, threads);
     }
 
     /// The number of triangles that each ray hits.
-    void count_hits(std::span<const Ray> rays, std::span<std::uint64_t> counts,
-                    int threads = 1) const {
+    void count_hits(std::span<const Ray> rays, std::span<std::size_t> counts,
+                    int threads = 0) const {
         tracer_.count_hits(rays, counts, threads);
     }
 

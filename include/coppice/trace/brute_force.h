@@ -4,7 +4,6 @@
 #include "coppice/geom/triangle_mesh.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -26,6 +25,6 @@ namespace coppice::inline v0 {
                                                     const Hit* after = nullptr) noexcept;
 
 /// How many triangles are hit.
-[[nodiscard]] std::uint64_t brute_force_count_hits(TriangleMeshView mesh, const Ray& ray) noexcept;
+[[nodiscard]] std::size_t brute_force_count_hits(TriangleMeshView mesh, const Ray& ray) noexcept;
 
 }  // namespace coppice::inline v0

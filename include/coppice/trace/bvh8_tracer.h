@@ -44,26 +44,28 @@ public:
                               const Hit* after = nullptr) const noexcept;
 
     /// The number of triangles that the ray hits.
-    [[nodiscard]] std::uint64_t count_hits(const Ray& ray) const noexcept;
+    [[nodiscard]] std::size_t count_hits(const Ray& ray) const noexcept;
 
-    /// The closest hit of each ray; where there is none, a Hit with infinite t. Of each eight that
-    /// follow one another, rays that go much the same way are traced 1.2 to 1.7 times as fast as
-    /// alone: hand over rays of an image by rows or tiles. `threads`: 0 for all of the machine's.
-    /// Throws Error(invalid_argument) if the spans differ in length.
-    void intersect(std::span<const Ray> rays, std::span<Hit> hits, int threads = 1) const;
+    // The same for many rays, on at most `threads` threads (0 = all). They throw
+    // Error(invalid_argument) for spans that do not fit together and for negative `threads`.
 
-    /// Whether each ray hits anything. The same otherwise.
-    void occluded(std::span<const Ray> rays, std::span<bool> is_occluded, int threads = 1) const;
+    /// The closest hit of each ray; one that is not is_hit() where there is none. Of each eight
+    /// that follow one another, rays that go much the same way are traced 1.2 to 1.7 times as fast
+    /// as alone: hand over rays of an image by rows or tiles.
+    void intersect(std::span<const Ray> rays, std::span<Hit> hits, int threads = 0) const;
+
+    /// 1 for each ray that hits anything, else 0.
+    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> is_occluded,
+                  int threads = 0) const;
 
     /// The first k hits of each ray in order, k = hits.size() / rays.size(): those of ray i are
-    /// hits[i * k] and the following, counts[i] of them. Throws Error(invalid_argument) if there is
-    /// not room for as many of each.
+    /// hits[i * k] and the following, counts[i] of them.
     void intersect_all(std::span<const Ray> rays, std::span<Hit> hits,
-                       std::span<std::size_t> counts, int threads = 1) const;
+                       std::span<std::size_t> counts, int threads = 0) const;
 
-    /// The number of triangles that each ray hits. The same otherwise as for `intersect`.
-    void count_hits(std::span<const Ray> rays, std::span<std::uint64_t> counts,
-                    int threads = 1) const;
+    /// The number of triangles that each ray hits.
+    void count_hits(std::span<const Ray> rays, std::span<std::size_t> counts,
+                    int threads = 0) const;
 
     [[nodiscard]] const Bvh8& tree() const noexcept { return tree_; }
 

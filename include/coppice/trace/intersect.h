@@ -39,27 +39,27 @@ namespace coppice::inline v0 {
                                         std::span<Hit> hits, const Hit* after = nullptr) noexcept;
 
 /// How many triangles the ray hits.
-[[nodiscard]] std::uint64_t count_hits(const KdTree& tree, TriangleMeshView mesh,
-                                       const Ray& ray) noexcept;
+[[nodiscard]] std::size_t count_hits(const KdTree& tree, TriangleMeshView mesh,
+                                     const Ray& ray) noexcept;
 
-// The same for many rays on at most `threads` threads, 0 for all of the machine's. They throw
-// Error(invalid_argument) if there is not room for the results of each ray.
+// The same for many rays, on at most `threads` threads (0 = all). They throw
+// Error(invalid_argument) for spans that do not fit together and for negative `threads`.
 
-/// The closest hit of each ray; where there is none, a Hit with infinite t.
+/// The closest hit of each ray; one that is not is_hit() where there is none.
 void intersect(const KdTree& tree, TriangleMeshView mesh, std::span<const Ray> rays,
-               std::span<Hit> hits, int threads = 1);
+               std::span<Hit> hits, int threads = 0);
 
-/// Whether each ray hits anything.
+/// 1 for each ray that hits anything, else 0.
 void occluded(const KdTree& tree, TriangleMeshView mesh, std::span<const Ray> rays,
-              std::span<bool> is_occluded, int threads = 1);
+              std::span<std::uint8_t> is_occluded, int threads = 0);
 
 /// The first k hits of each ray in order, k = hits.size() / rays.size(): those of ray i are
 /// hits[i * k] and the following, counts[i] of them.
 void intersect_all(const KdTree& tree, TriangleMeshView mesh, std::span<const Ray> rays,
-                   std::span<Hit> hits, std::span<std::size_t> counts, int threads = 1);
+                   std::span<Hit> hits, std::span<std::size_t> counts, int threads = 0);
 
 /// How many triangles each ray hits.
 void count_hits(const KdTree& tree, TriangleMeshView mesh, std::span<const Ray> rays,
-                std::span<std::uint64_t> counts, int threads = 1);
+                std::span<std::size_t> counts, int threads = 0);
 
 }  // namespace coppice::inline v0

@@ -43,7 +43,8 @@ struct ValidationIssue {
 };
 
 /// All that is wrong with a tree over `primitives`, at most `limit` findings; none for a sound
-/// tree. Cost: one descent of all primitives, O(N log N). Never throws on a malformed tree.
+/// tree. Cost: one descent of all primitives, O(N log N). Never throws on a malformed tree;
+/// throws Error(invalid_argument) for primitives that are not valid (PrimitiveSet).
 [[nodiscard]] std::vector<ValidationIssue> validate(const KdTree& tree, PrimitiveSetView primitives,
                                                     std::size_t limit = 100);
 

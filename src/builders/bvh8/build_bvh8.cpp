@@ -11,8 +11,8 @@
 #include "builders/bvh8/grow_bvh8.h"
 #include "builders/bvh8/make_prim_refs.h"
 #include "builders/bvh8/plan.h"
-#include "builders/finite_boxes.h"
 #include "builders/kernels/bvh8_kernels.h"
+#include "builders/require_usable.h"
 #include "builders/run_build.h"
 #include "builders/stage_clock.h"
 
@@ -78,7 +78,7 @@ bvh8::Cells make_object_cells(TriangleMeshView mesh, const bvh8::Plan& plan, Run
 // Cells by planes: the first stages of a k-d tree.
 bvh8::Cells make_kd_cells(TriangleMeshView mesh, const bvh8::Plan& plan, Run& run) {
     begin_stage(run.progress, 0.13);
-    require_finite_boxes(mesh);
+    require_usable(mesh);
     const BuildOptions options{.sample = plan.sampling,
                                .split = {.rule = "binned",
                                          .max_leaf = plan.cell_size,

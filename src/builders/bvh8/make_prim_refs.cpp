@@ -2,7 +2,7 @@
 
 #include "coppice/base/parallel.h"
 
-#include "builders/finite_boxes.h"
+#include "builders/require_usable.h"
 
 #include <algorithm>
 #include <atomic>
@@ -30,8 +30,13 @@ float finite_or_nan(const Triangle& triangle) {
 
 void make_prim_refs(TriangleMeshView mesh, std::span<PrimRef> prim_refs) {
     constexpr std::size_t chunk_size = 16384;
-    std::atomic<bool> are_finite = true;
+    std::atomic<bool> are_usable = true;
     parallel_for_chunks(prim_refs.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
+        const auto last = static_cast<std::uint32_t>(end);
+        if (mesh.first_invalid(static_cast<std::uint32_t>(begin), last) != last) {
+            are_usable = false;
+            return;
+        }
         float test = 0.0F;
         for (std::size_t at = begin; at < end; ++at) {
             const auto id = static_cast<std::uint32_t>(at);
@@ -39,9 +44,9 @@ void make_prim_refs(TriangleMeshView mesh, std::span<PrimRef> prim_refs) {
             prim_refs[at] = make_prim_ref(bounds_of_corners(triangle), id);
             test += finite_or_nan(triangle);
         }
-        if (std::isnan(test)) are_finite = false;
+        if (std::isnan(test)) are_usable = false;
     });
-    if (!are_finite) require_finite_boxes(mesh);  // names the first
+    if (!are_usable) require_usable(mesh);  // names the first
 }
 
 }  // namespace coppice::inline v0::bvh8

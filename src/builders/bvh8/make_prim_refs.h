@@ -11,7 +11,8 @@
 namespace coppice::inline v0::bvh8 {
 
 /// Fills in a PrimRef to every triangle, of weight 1, in the order of their ids. Throws
-/// Error(invalid_argument) naming the first triangle whose box is not finite.
+/// Error(invalid_argument) naming the first triangle with an index that no vertex has, or else the
+/// first whose box is not finite.
 void make_prim_refs(TriangleMeshView mesh, std::span<PrimRef> prim_refs);
 
 /// A PrimRef of weight 1 with a box.

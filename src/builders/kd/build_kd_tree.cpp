@@ -10,7 +10,7 @@
 #include "coppice/cost/measure.h"
 
 #include "base/out_of_memory.h"
-#include "builders/finite_boxes.h"
+#include "builders/require_usable.h"
 #include "builders/run_build.h"
 #include "builders/stage_clock.h"
 
@@ -54,7 +54,7 @@ KdTree run_pipeline(PrimitiveSetView primitives, const BuildOptions& options, Bu
     const Shares shares(options);
 
     begin_stage(progress, shares.sample);
-    require_finite_boxes(primitives);  // counted as the sample's time, so that nothing is left out
+    require_usable(primitives);  // counted as the sample's time, so that nothing is left out
     const Sample sample = draw_sample(primitives, options.sample);
     const MeteredBytes sample_bytes(&meter, sample.ids);
     stages.sample = clock.lap(sample.ids.size());

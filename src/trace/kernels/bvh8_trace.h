@@ -6,6 +6,7 @@
 #include "coppice/tree/bvh8.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace coppice::inline v0 {
@@ -16,9 +17,10 @@ struct TraceKernels {
     /// Whether there is a hit, and then the closest.
     bool (*closest)(const Bvh8&, const Ray&, Hit&) noexcept;
     bool (*any)(const Bvh8&, const Ray&) noexcept;
-    /// The same of as many rays as there are results. Rays that go the same way go together.
+    /// The same of as many rays as there are results; 1 for a hit, else 0. Rays that go the same
+    /// way go together.
     void (*closest_of_each)(const Bvh8&, std::span<const Ray>, std::span<Hit>) noexcept;
-    void (*any_of_each)(const Bvh8&, std::span<const Ray>, std::span<bool>) noexcept;
+    void (*any_of_each)(const Bvh8&, std::span<const Ray>, std::span<std::uint8_t>) noexcept;
     /// How many of the first hits after a given one, or of all, it put in order into the span.
     std::size_t (*first)(const Bvh8&, const Ray&, std::span<Hit>, const Hit* after) noexcept;
     bool (*closest_counting)(const Bvh8&, const Ray&, Hit&, TraversalCounts&) noexcept;

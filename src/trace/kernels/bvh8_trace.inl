@@ -45,11 +45,16 @@ constexpr TraceKernels kernels{
                 });
         },
     .any_of_each =
-        [](const Bvh8& tree, std::span<const Ray> rays, std::span<bool> is_occluded) noexcept {
+        [](const Bvh8& tree, std::span<const Ray> rays,
+           std::span<std::uint8_t> is_occluded) noexcept {
             trace_in_groups<AnyHit>(
                 tree, rays,
-                [&](std::size_t i, const AnyHit& query) { is_occluded[i] = query.is_hit(); },
-                [&](std::size_t i) { is_occluded[i] = find_any(tree, rays[i], NoCounts{}); });
+                [&](std::size_t i, const AnyHit& query) {
+                    is_occluded[i] = query.is_hit() ? 1 : 0;
+                },
+                [&](std::size_t i) {
+                    is_occluded[i] = find_any(tree, rays[i], NoCounts{}) ? 1 : 0;
+                });
         },
     .first = [](const Bvh8& tree, const Ray& ray, std::span<Hit> hits,
                 const Hit* after) noexcept -> std::size_t {

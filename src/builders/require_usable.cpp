@@ -1,4 +1,4 @@
-#include "builders/finite_boxes.h"
+#include "builders/require_usable.h"
 
 #include "coppice/base/error.h"
 #include "coppice/base/parallel.h"
@@ -8,12 +8,29 @@
 #include <atomic>
 
 namespace coppice::inline v0 {
+namespace {
 
-void require_finite_boxes(PrimitiveSetView primitives) {
+bool is_valid(PrimitiveSetView primitives, std::uint32_t first, std::uint32_t last) {
+    try {
+        primitives.require_valid(first, last);
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+void require_usable(PrimitiveSetView primitives) {
     constexpr std::size_t chunk_size = 16384;
+    std::atomic<bool> are_valid = true;
     std::atomic<std::uint32_t> first_bad = primitives.size();
     parallel_for_chunks(primitives.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
         auto id = static_cast<std::uint32_t>(begin);
+        if (!is_valid(primitives, id, static_cast<std::uint32_t>(end))) {
+            are_valid = false;
+            return;
+        }
         while (id < end && primitives.bounds(id).is_finite()) {
             ++id;
         }
@@ -21,6 +38,7 @@ void require_finite_boxes(PrimitiveSetView primitives) {
         while (id < end && id < first && !first_bad.compare_exchange_weak(first, id)) {
         }
     });
+    if (!are_valid) primitives.require_valid(0, primitives.size());  // names the first
     if (first_bad == primitives.size()) return;
     throw Error(ErrorCode::invalid_argument,
                 fmt::format("primitive {} has no finite box", first_bad.load()));
