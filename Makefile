@@ -2,7 +2,7 @@
 # and runs. The build itself is CMake's (CMakePresets.json); this file only walks through it.
 
 .DEFAULT_GOAL := build
-.PHONY: build demo test format check clean help
+.PHONY: build demo test docs format check clean help
 MAKEFLAGS += --no-print-directory
 
 coppice := build/release/bin/coppice
@@ -29,6 +29,10 @@ test: ## all tests
 	@tools/setup
 	@tools/build release
 	@ctest --preset release --parallel $(jobs) --output-junit tests.xml
+
+docs: ## the site of the documentation: build/docs/html/index.html
+	@tools/setup --docs
+	@tools/build_docs
 
 format: ## clang-format on every source file
 	@tools/setup --checks

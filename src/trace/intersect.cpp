@@ -109,11 +109,11 @@ private:
     std::array<std::uint32_t, 3> near_side_;
 };
 
-// The query for the closest hit or for any: what is done with hits.
+// Keeps the best hit so far. A query decides what is done with hits.
 template <bool any_hit>
-class FirstHit {
+class OneHitQuery {
 public:
-    explicit FirstHit(const Ray& ray) noexcept { hit_.t = ray.t_max; }
+    explicit OneHitQuery(const Ray& ray) noexcept { hit_.t = ray.t_max; }
 
     // True if the search is over.
     bool take(const Hit& hit) noexcept {
@@ -135,10 +135,13 @@ private:
     bool has_hit_ = false;
 };
 
-// The query for the first hits in order.
-class AllHits {
+using ClosestHitQuery = OneHitQuery<false>;
+using AnyHitQuery = OneHitQuery<true>;
+
+// Collects the first hits in order, as many as the list holds.
+class FirstKHitsQuery {
 public:
-    AllHits(const Ray& ray, HitList& list) noexcept : t_max_(ray.t_max), list_(list) {}
+    FirstKHitsQuery(const Ray& ray, HitList& list) noexcept : t_max_(ray.t_max), list_(list) {}
 
     bool take(const Hit& hit) noexcept {
         list_.insert(hit);
@@ -261,10 +264,10 @@ void trace(const KdTree& tree, TriangleMeshView mesh, const Ray& ray, Query& que
     if (is_traceable(ray)) Traversal<Query, Counts>(tree, mesh, ray, query, counts).run();
 }
 
-template <bool any_hit, typename Counts>
+template <typename Query, typename Counts>
 std::optional<Hit> find_hit(const KdTree& tree, TriangleMeshView mesh, const Ray& ray,
                             Counts counts) noexcept {
-    FirstHit<any_hit> query(ray);
+    Query query(ray);
     trace(tree, mesh, ray, query, counts);
     return query.result();
 }
@@ -272,21 +275,21 @@ std::optional<Hit> find_hit(const KdTree& tree, TriangleMeshView mesh, const Ray
 }  // namespace
 
 std::optional<Hit> intersect(const KdTree& tree, TriangleMeshView mesh, const Ray& ray) noexcept {
-    return find_hit<false>(tree, mesh, ray, NoCounts());
+    return find_hit<ClosestHitQuery>(tree, mesh, ray, NoCounts());
 }
 
 std::optional<Hit> intersect(const KdTree& tree, TriangleMeshView mesh, const Ray& ray,
                              TraversalCounts& counts) noexcept {
-    return find_hit<false>(tree, mesh, ray, Counter{counts});
+    return find_hit<ClosestHitQuery>(tree, mesh, ray, Counter{counts});
 }
 
 bool occluded(const KdTree& tree, TriangleMeshView mesh, const Ray& ray) noexcept {
-    return find_hit<true>(tree, mesh, ray, NoCounts()).has_value();
+    return find_hit<AnyHitQuery>(tree, mesh, ray, NoCounts()).has_value();
 }
 
 bool occluded(const KdTree& tree, TriangleMeshView mesh, const Ray& ray,
               TraversalCounts& counts) noexcept {
-    return find_hit<true>(tree, mesh, ray, Counter{counts}).has_value();
+    return find_hit<AnyHitQuery>(tree, mesh, ray, Counter{counts}).has_value();
 }
 
 std::size_t intersect_all(const KdTree& tree, TriangleMeshView mesh, const Ray& ray,
@@ -295,7 +298,7 @@ std::size_t intersect_all(const KdTree& tree, TriangleMeshView mesh, const Ray& 
     HitList list(hits, after);
     Ray rest = ray;
     rest.t_min = std::max(ray.t_min, list.first_distance());
-    AllHits query(rest, list);
+    FirstKHitsQuery query(rest, list);
     trace(tree, mesh, rest, query, NoCounts());
     return list.size();
 }

@@ -125,7 +125,7 @@ private:
         });
     }
 
-    /// Wide trees of small scenes are not sampled, and some have a least sample.
+    /// 8-wide trees of small scenes are not sampled, and some have a least sample.
     static bool is_known_sample(const ResultRow& row, std::vector<std::uint32_t>& known) {
         if (row.form != TreeForm::bvh8) return false;
         const std::uint32_t count = row.report.sample_count;

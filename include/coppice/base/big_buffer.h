@@ -17,6 +17,7 @@ public:
     /// Throws std::bad_alloc.
     explicit BigBuffer(std::size_t byte_count);
 
+    /// Its size.
     [[nodiscard]] std::size_t byte_count() const noexcept { return byte_count_; }
 
     /// The memory from `offset` on as `count` elements of a trivial type, which need not have

@@ -25,8 +25,10 @@ enum class ErrorCode {
 /// prefixed with its context where there is one: `bunny.obj:812: face index 90210 out of range`.
 class Error : public std::runtime_error {
 public:
+    /// `message` is what() word for word.
     Error(ErrorCode code, const std::string& message);
 
+    /// What kind of failure it is.
     [[nodiscard]] ErrorCode code() const noexcept { return code_; }
 
 private:

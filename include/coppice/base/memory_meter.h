@@ -12,6 +12,7 @@ namespace coppice::inline v0 {
 /// counted. May be told from several threads at once.
 class MemoryMeter {
 public:
+    /// So many bytes more are held.
     void add(std::uint64_t bytes) noexcept {
         const std::uint64_t held = held_.fetch_add(bytes, std::memory_order_relaxed) + bytes;
         std::uint64_t peak = peak_.load(std::memory_order_relaxed);
@@ -19,6 +20,7 @@ public:
         }
     }
 
+    /// So many bytes are held no longer.
     void remove(std::uint64_t bytes) noexcept { held_.fetch_sub(bytes, std::memory_order_relaxed); }
 
     /// Bytes held now.
@@ -37,6 +39,7 @@ private:
 /// too many to be worth it, and only a few of them, by far too small to matter, live at once.
 class MeteredBytes {
 public:
+    /// What is smaller is not counted.
     static constexpr std::uint64_t least_bytes = 4096;
 
     MeteredBytes() = default;
@@ -52,9 +55,11 @@ public:
     MeteredBytes(MemoryMeter* meter, const std::vector<T>& array) noexcept
         : MeteredBytes(meter, std::uint64_t{array.capacity() * sizeof(T)}) {}
 
+    /// Takes over what the other one counts.
     MeteredBytes(MeteredBytes&& other) noexcept
         : meter_(std::exchange(other.meter_, nullptr)), bytes_(other.bytes_) {}
 
+    /// Takes over what the other one counts; its own bytes are gone.
     MeteredBytes& operator=(MeteredBytes&& other) noexcept {
         std::swap(meter_, other.meter_);
         std::swap(bytes_, other.bytes_);

@@ -12,6 +12,7 @@ public:
         return std::chrono::duration<double>(Clock::now() - start_).count();
     }
 
+    /// Begins again at zero.
     void restart() noexcept { start_ = Clock::now(); }
 
 private:
@@ -28,6 +29,7 @@ public:
     /// Seconds since construction or the last restart().
     [[nodiscard]] double seconds() const noexcept { return process_cpu_seconds() - start_; }
 
+    /// Begins again at zero.
     void restart() noexcept { start_ = process_cpu_seconds(); }
 
 private:

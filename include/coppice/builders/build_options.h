@@ -36,9 +36,10 @@ struct SplitOptions {
     std::uint32_t max_leaf = 32;  ///< no node with at most so many primitives is split; >= 1
     int bad_refines = 3;          ///< the split that would be the n-th on its path to cost more
                                   ///< than the leaf is refused; >= 1
-    Clipping clipping = Clipping::perfect;
-    SampleWeighting sample_weighting = SampleWeighting::sampled;
-    Termination termination = Termination::limits;
+    Clipping clipping = Clipping::perfect;  ///< what is done with a primitive that a plane cuts
+    SampleWeighting sample_weighting =
+        SampleWeighting::sampled;                   ///< what a sampled primitive counts
+    Termination termination = Termination::limits;  ///< when a node becomes a leaf
     /// Where splits go on as long as they pay, in a build that stops so and in growth: nodes of
     /// fewer primitives are not split; >= 1.
     std::uint32_t min_split = 1;
@@ -63,7 +64,7 @@ enum class Bvh8Preset {
 
 /// How build_bvh8() goes about its work; k-d trees do not use it.
 struct Bvh8Options {
-    Bvh8Preset preset = Bvh8Preset::automatic;
+    Bvh8Preset preset = Bvh8Preset::automatic;  ///< how much the build may cost
     double expected_rays = 1e7;            ///< that will be traced: what `automatic` goes by; >= 0
     std::uint32_t cell_size = 0;           ///< triangles a cell is to hold, >= 64; 0: the preset's
     std::uint32_t sampled_from = 200'000;  ///< scenes of fewer triangles are not sampled
@@ -71,12 +72,12 @@ struct Bvh8Options {
 
 /// Everything a build depends on, beside the primitives.
 struct BuildOptions {
-    SampleOptions sample;
-    SplitOptions split;
-    LeafRefinement leaf_refinement = LeafRefinement::kd;
-    SahCostModel cost;
-    Bvh8Options bvh8;
-    int threads = 0;  ///< at most so many; 0 = all the hardware has
+    SampleOptions sample;  ///< which primitives the tree is built from
+    SplitOptions split;    ///< when and where nodes are split
+    LeafRefinement leaf_refinement = LeafRefinement::kd;  ///< how the refilled leaves go on
+    SahCostModel cost;  ///< what a tree is built for and measured by
+    Bvh8Options bvh8;   ///< of build_bvh8() only
+    int threads = 0;    ///< at most so many; 0 = all the hardware has
 };
 
 /// Throws Error(invalid_argument) naming the first option outside its range.

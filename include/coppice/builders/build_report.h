@@ -13,9 +13,9 @@ namespace coppice::inline v0 {
 
 /// What one stage of a build took, and how much came out of it.
 struct StageReport {
-    double wall_seconds = 0.0;
-    double cpu_seconds = 0.0;  ///< of all threads of the process
-    std::uint64_t items = 0;   ///< see StageReports
+    double wall_seconds = 0.0;  ///< from its begin to its end
+    double cpu_seconds = 0.0;   ///< of all threads of the process
+    std::uint64_t items = 0;    ///< see StageReports
 };
 
 /// The five stages of a build. One that had nothing to do is all 0: a tree of all primitives that
@@ -27,11 +27,13 @@ struct StageReports {
     StageReport refill;  ///< items: references
     StageReport refine;  ///< items: references
 
+    /// Of all stages together.
     [[nodiscard]] constexpr double wall_seconds() const noexcept {
         return sample.wall_seconds + build.wall_seconds + empty.wall_seconds + refill.wall_seconds +
                refine.wall_seconds;
     }
 
+    /// Of all stages together.
     [[nodiscard]] constexpr double cpu_seconds() const noexcept {
         return sample.cpu_seconds + build.cpu_seconds + empty.cpu_seconds + refill.cpu_seconds +
                refine.cpu_seconds;
@@ -40,7 +42,7 @@ struct StageReports {
 
 /// What a build is expected to come to, told before it.
 struct BuildEstimate {
-    double references = 0.0;
+    double references = 0.0;  ///< of the finished tree
     double bytes = 0.0;       ///< of the tree
     double peak_bytes = 0.0;  ///< of the build's arrays, the tree included
     double seconds = 0.0;     ///< wall clock
@@ -48,17 +50,17 @@ struct BuildEstimate {
 
 /// What a build did: its options, sizes, times, memory, and the measured tree.
 struct BuildReport {
-    BuildOptions options;
-    std::string method;  ///< the name in method_registry(), if it was built by name
+    BuildOptions options;  ///< those that the build was given
+    std::string method;    ///< the name in method_registry(), if it was built by name
     Bvh8Preset preset = Bvh8Preset::automatic;  ///< that a 8-wide tree was built by
     std::string preset_reason;  ///< why it is a smaller one than `automatic` had chosen, or nothing
-    std::uint32_t primitive_count = 0;
-    std::uint32_t sample_count = 0;
-    StageReports stages;
-    std::uint64_t tree_bytes = 0;
+    std::uint32_t primitive_count = 0;  ///< over which the tree is built
+    std::uint32_t sample_count = 0;     ///< drawn from them
+    StageReports stages;                ///< what each of them took
+    std::uint64_t tree_bytes = 0;       ///< of the finished tree
     std::uint64_t peak_bytes = 0;  ///< the most that the build's arrays held, the tree included
     std::optional<BuildEstimate> estimate;  ///< if one was asked for before the build
-    TreeStatistics statistics;
+    TreeStatistics statistics;              ///< of the finished tree, with its SAH cost
 };
 
 /// Serializes all fields under their own names.

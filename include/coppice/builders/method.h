@@ -13,9 +13,9 @@ enum class TreeKind : std::uint8_t { kd, bvh8 };
 
 /// A way to build a tree under its name, with one line on what it does.
 struct Method {
-    std::string_view name;
-    std::string_view summary;
-    TreeKind tree;
+    std::string_view name;      ///< how options and reports call it
+    std::string_view summary;   ///< what it does, in one line
+    TreeKind tree;              ///< what it builds
     BuildOptions (*options)();  ///< what the name stands for, with the costs it was tuned for
 };
 

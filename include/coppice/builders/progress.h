@@ -37,9 +37,9 @@ private:
 
 /// What a node, of a share of the work of its stage, has of that for itself and for its children.
 struct NodeShares {
-    double own;
-    double below;
-    double above;
+    double own;    ///< for passing over its own primitives
+    double below;  ///< for the child below the plane
+    double above;  ///< for the child above it
 };
 
 /// Divides the share of a node of `count` PrimRefs by the work to come: the node's own grows with

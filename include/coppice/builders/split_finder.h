@@ -14,18 +14,18 @@ namespace coppice::inline v0 {
 
 /// A primitive's box clipped to the node that refers to it.
 struct PrimRef {
-    Aabb box;
-    std::uint32_t id = 0;
-    float weight = 1.0F;  ///< how many primitives it stands for in costs; >= 1
+    Aabb box;              ///< of the part inside the node
+    std::uint32_t id = 0;  ///< of the primitive
+    float weight = 1.0F;   ///< how many primitives it stands for in costs; >= 1
 };
 
 static_assert(sizeof(PrimRef) == 32);
 
 /// A plane to split a node at, where primitives in the plane go, and what the split costs.
 struct SplitCandidate {
-    SplitPlane plane;
-    PlanarSide planar_side = PlanarSide::below;
-    double cost = 0.0;  ///< SahCostModel::split_cost() of it
+    SplitPlane plane;                            ///< strictly inside the node
+    PlanarSide planar_side = PlanarSide::below;  ///< where primitives in the plane go
+    double cost = 0.0;                           ///< SahCostModel::split_cost() of it
 };
 
 /// The sum of the weights; exact, so that it does not depend on their order (see SampleWeighting).
@@ -33,9 +33,9 @@ struct SplitCandidate {
 
 /// A node about to be split: its box (never without area) and its PrimRefs (never none).
 struct SplitQuery {
-    std::span<const PrimRef> prim_refs;
-    Aabb box;
-    const SahCostModel& cost;
+    std::span<const PrimRef> prim_refs;  ///< at least one
+    Aabb box;                            ///< of the node; never without area
+    const SahCostModel& cost;            ///< by which splits are compared
     double acceptable_cost;  ///< a rule that can choose looks further than its first axis until it
                              ///< finds a split that costs less
     Isa isa = Isa::scalar;   ///< that the processor has; the split does not depend on it
@@ -55,9 +55,9 @@ public:
 
 /// A split rule under its name, with one line on what it does.
 struct SplitFinderEntry {
-    std::string_view name;
-    std::string_view summary;
-    const SplitFinder& finder;
+    std::string_view name;      ///< how options call it
+    std::string_view summary;   ///< what it does, in one line
+    const SplitFinder& finder;  ///< lives as long as the program
 };
 
 /// All split rules; the first is the default.

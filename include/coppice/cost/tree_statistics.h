@@ -10,12 +10,12 @@ namespace coppice::inline v0 {
 /// What a tree is made of and what a random line through its box is expected to cost.
 /// Expectations are per ray that meets the tree's box, by the surface area heuristic.
 struct TreeStatistics {
-    std::uint64_t node_count = 0;
-    std::uint64_t inner_count = 0;
-    std::uint64_t leaf_count = 0;
-    std::uint64_t single_primitive_leaf_count = 0;
-    std::uint64_t empty_leaf_count = 0;
-    std::uint64_t reference_count = 0;
+    std::uint64_t node_count = 0;                   ///< inner nodes and leaves
+    std::uint64_t inner_count = 0;                  ///< nodes that have children
+    std::uint64_t leaf_count = 0;                   ///< empty ones included
+    std::uint64_t single_primitive_leaf_count = 0;  ///< leaves of one reference
+    std::uint64_t empty_leaf_count = 0;             ///< leaves of none
+    std::uint64_t reference_count = 0;              ///< of all leaves
     int max_level = 0;            ///< depth of the deepest leaf; a lone root is level 0
     double mean_leaf_size = 0.0;  ///< references per leaf, empty leaves included
 

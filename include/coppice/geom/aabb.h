@@ -9,19 +9,21 @@ namespace coppice::inline v0 {
 
 /// A plane perpendicular to an axis.
 struct SplitPlane {
-    Axis axis = Axis::x;
-    float position = 0.0F;
+    Axis axis = Axis::x;    ///< which it is perpendicular to
+    float position = 0.0F;  ///< on that axis
 
     friend constexpr bool operator==(const SplitPlane&, const SplitPlane&) = default;
 };
 
 /// An axis-aligned box, closed on all sides. The empty box is lower = +inf, upper = -inf.
 struct Aabb {
+    /// That of float.
     static constexpr float infinity = std::numeric_limits<float>::infinity();
 
-    Vec3f lower{infinity, infinity, infinity};
-    Vec3f upper{-infinity, -infinity, -infinity};
+    Vec3f lower{infinity, infinity, infinity};     ///< the least coordinates
+    Vec3f upper{-infinity, -infinity, -infinity};  ///< the greatest
 
+    /// True if no point is in it: its bounds are inverted or NaN.
     [[nodiscard]] constexpr bool is_empty() const noexcept {
         return !(lower.x <= upper.x && lower.y <= upper.y && lower.z <= upper.z);
     }
@@ -53,6 +55,7 @@ struct Aabb {
         return 2.0 * (dx * dy + dy * dz + dz * dx);
     }
 
+    /// True if the point lies in the box or on its faces.
     [[nodiscard]] constexpr bool contains(Vec3f p) const noexcept {
         return lower.x <= p.x && p.x <= upper.x && lower.y <= p.y && p.y <= upper.y &&
                lower.z <= p.z && p.z <= upper.z;
@@ -64,6 +67,7 @@ struct Aabb {
                other.lower.y <= upper.y && lower.z <= other.upper.z && other.lower.z <= upper.z;
     }
 
+    /// Makes it the least box that holds the point, too.
     constexpr void grow(Vec3f p) noexcept {
         for (const Axis axis : all_axes) {
             lower[axis] = std::min(lower[axis], p[axis]);
@@ -71,6 +75,7 @@ struct Aabb {
         }
     }
 
+    /// Makes it the least box that holds the other one, too.
     constexpr void grow(const Aabb& other) noexcept {
         for (const Axis axis : all_axes) {
             lower[axis] = std::min(lower[axis], other.lower[axis]);

@@ -20,10 +20,10 @@ enum class TriangleFeature : std::uint8_t {
 /// The point of a triangle that is closest to another point.
 struct ClosestPoint {
     double distance_squared = 0.0;  ///< between the two
-    Vec3f point;
-    float u = 0.0F;  ///< barycentric coordinate of the second corner, in [0, 1]
-    float v = 0.0F;  ///< of the third
-    TriangleFeature feature = TriangleFeature::face;
+    Vec3f point;                    ///< rounded to float
+    float u = 0.0F;                 ///< barycentric coordinate of the second corner, in [0, 1]
+    float v = 0.0F;                 ///< of the third
+    TriangleFeature feature = TriangleFeature::face;  ///< what it lies on
 };
 
 /// The point of a triangle closest to `to`, in double precision; neither may be NaN or infinite.

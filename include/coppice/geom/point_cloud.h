@@ -17,6 +17,7 @@ public:
     /// Throws Error(limit) for 2^32 points or more: ids have 32 bits.
     explicit PointCloudView(std::span<const Vec3f> points);
 
+    /// The points viewed.
     [[nodiscard]] std::span<const Vec3f> points() const noexcept { return points_; }
 
     /// Number of points.

@@ -31,14 +31,17 @@ class PrimitiveSetView {
 public:
     // Implicit by design: a function that takes a PrimitiveSetView takes any set.
     // NOLINTBEGIN(google-explicit-constructor)
+    /// A view of the set.
     template <PrimitiveSet Set>
     requires(!std::same_as<Set, PrimitiveSetView>) PrimitiveSetView(const Set& set)
     noexcept : set_(std::addressof(set)), calls_(&calls_of<Set>) {}
 
     // NOLINTEND(google-explicit-constructor)
 
+    /// Number of primitives.
     [[nodiscard]] std::uint32_t size() const { return calls_->size(set_); }
 
+    /// The box of one primitive.
     [[nodiscard]] Aabb bounds(std::uint32_t id) const { return calls_->bounds(set_, id); }
 
     /// The boxes of boxes.size() primitives from `first` on, at the price of one call.
@@ -46,6 +49,7 @@ public:
         calls_->many_bounds(set_, first, boxes);
     }
 
+    /// The box of its part inside another box.
     [[nodiscard]] Aabb clipped_bounds(std::uint32_t id, const Aabb& box) const {
         return calls_->clipped_bounds(set_, id, box);
     }

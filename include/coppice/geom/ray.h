@@ -14,10 +14,10 @@ namespace coppice::inline v0 {
 /// The points origin + t * direction with t in [t_min, t_max]. The direction need not have unit
 /// length; t is measured in multiples of it.
 struct Ray {
-    Vec3f origin;
-    Vec3f direction;
-    float t_min = 0.0F;
-    float t_max = std::numeric_limits<float>::infinity();
+    Vec3f origin;                                          ///< where t is 0
+    Vec3f direction;                                       ///< not zero
+    float t_min = 0.0F;                                    ///< nothing is hit before it
+    float t_max = std::numeric_limits<float>::infinity();  ///< nothing is hit behind it
 };
 
 /// True if a ray can hit anything: finite origin, finite direction other than zero, and
@@ -31,6 +31,7 @@ struct Ray {
 /// equals) becomes z, the others follow in cyclic order.
 struct RayAxes {
     // Without branches: of incoherent rays no processor can predict the longest component.
+    /// The axes for rays of this direction.
     explicit RayAxes(Vec3f direction) noexcept {
         const float longer = std::max(std::abs(direction.x), std::abs(direction.y));
         const auto is_z = static_cast<std::size_t>(std::abs(direction.z) > longer);
@@ -41,9 +42,9 @@ struct RayAxes {
         y = cycle[z + 2];
     }
 
-    std::size_t x;
-    std::size_t y;
-    std::size_t z;
+    std::size_t x;  ///< index of the first axis
+    std::size_t y;  ///< of the second
+    std::size_t z;  ///< of the one along which the direction is longest
 };
 
 /// Where a ray meets a primitive; one with infinite t, as a default one has, is no hit. For
@@ -52,11 +53,11 @@ struct RayAxes {
 /// counter-clockwise order. Its length is twice the triangle's area: for edges above 1e19 it
 /// overflows, for edges below 1e-22 it is 0.
 struct Hit {
-    float t = std::numeric_limits<float>::infinity();
-    float u = 0.0F;
-    float v = 0.0F;
-    std::uint32_t prim = 0;
-    Vec3f normal;
+    float t = std::numeric_limits<float>::infinity();  ///< distance in multiples of the direction
+    float u = 0.0F;                                    ///< weight of the second vertex
+    float v = 0.0F;                                    ///< weight of the third
+    std::uint32_t prim = 0;                            ///< id of the primitive
+    Vec3f normal;                                      ///< of any length
 
     /// False for what batches write where a ray hits nothing.
     [[nodiscard]] bool is_hit() const noexcept {

@@ -24,8 +24,10 @@ public:
     /// Throws Error(limit) for 2^32 triangles or more: ids have 32 bits.
     TriangleMeshView(std::span<const Vec3f> vertices, std::span<const TriangleIndices> triangles);
 
+    /// The vertex positions.
     [[nodiscard]] std::span<const Vec3f> vertices() const noexcept { return vertices_; }
 
+    /// The indices of each triangle.
     [[nodiscard]] std::span<const TriangleIndices> triangles() const noexcept { return triangles_; }
 
     /// Number of triangles.
@@ -64,9 +66,10 @@ private:
 /// An indexed triangle mesh that owns its arrays. All indices are below vertices.size(), and
 /// counts are below 2^32.
 struct TriangleMesh {
-    std::vector<Vec3f> vertices;
-    std::vector<TriangleIndices> triangles;
+    std::vector<Vec3f> vertices;             ///< positions
+    std::vector<TriangleIndices> triangles;  ///< three indices into `vertices` each
 
+    /// A view that must not outlive the mesh.
     [[nodiscard]] TriangleMeshView view() const { return {vertices, triangles}; }
 };
 

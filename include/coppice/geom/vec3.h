@@ -10,7 +10,7 @@ namespace coppice::inline v0 {
 /// A coordinate axis; the values index the components of a vector.
 enum class Axis : std::uint8_t { x = 0, y = 1, z = 2 };
 
-inline constexpr std::array<Axis, 3> all_axes{Axis::x, Axis::y, Axis::z};
+inline constexpr std::array<Axis, 3> all_axes{Axis::x, Axis::y, Axis::z};  ///< x, y, z.
 
 /// The axis after this one, cyclically: x, y, z, x ...
 [[nodiscard]] constexpr Axis next_axis(Axis axis) noexcept {
@@ -20,28 +20,35 @@ inline constexpr std::array<Axis, 3> all_axes{Axis::x, Axis::y, Axis::z};
 /// A point or direction of three components, addressable by axis.
 template <typename T>
 struct Vec3 {
-    T x{};
-    T y{};
-    T z{};
+    T x{};  ///< along the first axis
+    T y{};  ///< along the second
+    T z{};  ///< along the third
 
+    /// The component along an axis.
     [[nodiscard]] constexpr T operator[](Axis axis) const noexcept {
         return axis == Axis::x ? x : axis == Axis::y ? y : z;
     }
 
+    /// The component along an axis.
     [[nodiscard]] constexpr T& operator[](Axis axis) noexcept {
         return axis == Axis::x ? x : axis == Axis::y ? y : z;
     }
 
     friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
 
+    /// The sum.
     friend constexpr Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 
+    /// The difference.
     friend constexpr Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
+    /// The vector, s times as long.
     friend constexpr Vec3 operator*(T s, Vec3 v) { return {s * v.x, s * v.y, s * v.z}; }
 };
 
+/// A vector in single precision, as meshes have it.
 using Vec3f = Vec3<float>;
+/// A vector in double precision.
 using Vec3d = Vec3<double>;
 
 /// The same vector in double precision.
@@ -59,11 +66,13 @@ using Vec3d = Vec3<double>;
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+/// The scalar product.
 template <typename T>
 [[nodiscard]] constexpr T dot(Vec3<T> a, Vec3<T> b) noexcept {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+/// The vector product, by the right-hand rule.
 template <typename T>
 [[nodiscard]] constexpr Vec3<T> cross(Vec3<T> a, Vec3<T> b) noexcept {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};

@@ -16,9 +16,10 @@ struct MeshAttributes;
 
 /// How often something odd but legal was met in a file, and the first places of it.
 struct LoadIssue {
+    /// So many places are named.
     static constexpr std::size_t kept_places = 8;
 
-    std::uint64_t count = 0;
+    std::uint64_t count = 0;  ///< how often it was met
     /// 0-based ids of the first faces, triangles or vertices concerned, at most `kept_places`.
     std::vector<std::uint64_t> first;
 
@@ -28,11 +29,11 @@ struct LoadIssue {
 
 /// What a file held and what was odd about it. Nothing is dropped without being counted here.
 struct LoadReport {
-    std::string file;
-    std::string format;            ///< "obj", "ply", "off" or Assimp's name of the format
-    std::uint64_t file_bytes = 0;  ///< on disk
-    double load_seconds = 0.0;     ///< reading and counting
-    std::uint64_t vertex_count = 0;
+    std::string file;                  ///< as it was given
+    std::string format;                ///< "obj", "ply", "off" or Assimp's name of the format
+    std::uint64_t file_bytes = 0;      ///< on disk
+    double load_seconds = 0.0;         ///< reading and counting
+    std::uint64_t vertex_count = 0;    ///< vertices in the mesh
     std::uint64_t face_count = 0;      ///< faces in the file, before polygons become triangles
     std::uint64_t triangle_count = 0;  ///< triangles in the mesh
     LoadIssue polygons;             ///< faces of more than three corners, cut into fans (face ids)

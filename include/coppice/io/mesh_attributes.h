@@ -10,7 +10,7 @@ namespace coppice::inline v0 {
 
 /// How a surface looks, in the terms of MTL, the material files of OBJ. Colours are linear.
 struct Material {
-    std::string name;
+    std::string name;                 ///< in the file
     Vec3f diffuse{0.6F, 0.6F, 0.6F};  ///< Kd
     Vec3f specular;                   ///< Ks
     Vec3f emission;                   ///< Ke
@@ -23,6 +23,7 @@ struct MeshAttributes {
     /// An index of nothing: a triangle without material, a corner without normal.
     static constexpr std::uint32_t none = 0xffffffff;
 
+    /// All that the file defines.
     std::vector<Material> materials;
     /// One index into `materials`, or `none`, per triangle; empty if there are no materials.
     std::vector<std::uint32_t> triangle_materials;

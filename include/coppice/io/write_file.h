@@ -12,8 +12,8 @@ void write_file(const std::filesystem::path& file, std::string_view contents);
 
 /// What is to be in a file.
 struct FileContents {
-    std::filesystem::path file;
-    std::string_view contents;
+    std::filesystem::path file;  ///< its path
+    std::string_view contents;   ///< all of its bytes
 };
 
 /// The same with several files: only when all are written are they renamed. Throws Error(io).

@@ -29,6 +29,7 @@ struct MeshSearchKernels;
 /// Distances are inclusive, in the units of the mesh.
 class MeshSearch {
 public:
+    /// No limit on the distance.
     static constexpr float anywhere = std::numeric_limits<float>::infinity();
 
     /// Keeps the tree's arrays alive. Notes which triangles are in several leaves, in O(triangles)
@@ -71,6 +72,7 @@ public:
     void overlapping(std::span<const Aabb> boxes, std::span<std::uint32_t> found,
                      std::span<std::size_t> counts, int threads = 0) const;
 
+    /// The tree that is searched.
     [[nodiscard]] const Bvh8& tree() const noexcept { return tree_; }
 
 private:

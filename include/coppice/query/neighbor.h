@@ -11,11 +11,13 @@ namespace coppice::inline v0 {
 /// A point of a cloud near to another point; one at infinite distance, as a default one is, was not
 /// found. Results compare by distance, equally near ones by id.
 struct Neighbor {
-    double distance_squared = std::numeric_limits<double>::infinity();
-    std::uint32_t prim = 0;
+    double distance_squared = std::numeric_limits<double>::infinity();  ///< infinite: none found
+    std::uint32_t prim = 0;                                             ///< id of the primitive
 
+    /// The distance; infinite if nothing was found.
     [[nodiscard]] double distance() const noexcept { return std::sqrt(distance_squared); }
 
+    /// True if it stands for a primitive.
     [[nodiscard]] bool is_found() const noexcept {
         return distance_squared < std::numeric_limits<double>::infinity();
     }
@@ -23,15 +25,17 @@ struct Neighbor {
 
 /// The point of a triangle nearest to another point: what a mesh has for a Neighbor.
 struct SurfaceNeighbor {
-    double distance_squared = std::numeric_limits<double>::infinity();
-    Vec3f point;
-    float u = 0.0F;  ///< barycentric coordinate of the triangle's second corner
-    float v = 0.0F;  ///< of the third
-    std::uint32_t prim = 0;
+    double distance_squared = std::numeric_limits<double>::infinity();  ///< infinite: none found
+    Vec3f point;             ///< the closest point of the triangle
+    float u = 0.0F;          ///< barycentric coordinate of the triangle's second corner
+    float v = 0.0F;          ///< of the third
+    std::uint32_t prim = 0;  ///< id of the primitive
     TriangleFeature feature = TriangleFeature::face;  ///< what of the triangle the point lies on
 
+    /// The distance; infinite if nothing was found.
     [[nodiscard]] double distance() const noexcept { return std::sqrt(distance_squared); }
 
+    /// True if it stands for a primitive.
     [[nodiscard]] bool is_found() const noexcept {
         return distance_squared < std::numeric_limits<double>::infinity();
     }

@@ -31,6 +31,7 @@ struct SearchedPoints;
 /// Distances are inclusive, in the units of the points.
 class PointSearch {
 public:
+    /// No limit on the distance.
     static constexpr float anywhere = std::numeric_limits<float>::infinity();
 
     /// Takes over a tree that was built for these points, and copies them in the order of its
@@ -72,6 +73,7 @@ public:
     void overlapping(std::span<const Aabb> boxes, std::span<std::uint32_t> found,
                      std::span<std::size_t> counts, int threads = 0) const;
 
+    /// The tree that is searched.
     [[nodiscard]] const KdTree& tree() const noexcept { return *tree_; }
 
 private:

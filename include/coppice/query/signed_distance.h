@@ -15,7 +15,7 @@ class ClosedSurface;
 /// The nearest triangle, and the distance to it with a sign.
 struct SignedNeighbor {
     double signed_distance = 0.0;  ///< negative inside; NaN if nothing was found
-    SurfaceNeighbor nearest;
+    SurfaceNeighbor nearest;       ///< the triangle that the distance is measured to
 };
 
 /// Distances to the surface of a closed mesh, negative inside.

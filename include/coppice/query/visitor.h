@@ -15,6 +15,7 @@ public:
     // Implicit by design: a query takes any callable. One by value would be copied, and so would
     // what it counts.
     // NOLINTBEGIN(google-explicit-constructor,bugprone-forwarding-reference-overload)
+    /// Refers to a callable, which must outlive the query.
     template <std::invocable<const T&> Visit>
     requires(!std::same_as<std::remove_cvref_t<Visit>, Visitor>) Visitor(Visit&& visit)
     noexcept

@@ -22,7 +22,7 @@ struct SampleOptions {
 
 /// The primitives chosen: distinct ids, ascending.
 struct Sample {
-    std::vector<std::uint32_t> ids;
+    std::vector<std::uint32_t> ids;  ///< distinct, ascending
     std::vector<float> weights;  ///< how many primitives each stands for, 1 / p of its inclusion
                                  ///< probability p; empty if all stand for equally many
     SampleOptions options;       ///< what it was drawn with
@@ -44,9 +44,9 @@ public:
 
 /// A sampler under its name, with one line on what it does.
 struct SamplerEntry {
-    std::string_view name;
-    std::string_view summary;
-    const Sampler& sampler;
+    std::string_view name;     ///< how options call it
+    std::string_view summary;  ///< what it does, in one line
+    const Sampler& sampler;    ///< lives as long as the program
 };
 
 /// All samplers; the first is the default.

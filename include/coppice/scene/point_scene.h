@@ -52,8 +52,10 @@ public:
     /// Searches for many places at once.
     [[nodiscard]] const PointSearch& search() const noexcept { return search_; }
 
+    /// The points, in the order they were given.
     [[nodiscard]] std::span<const Vec3f> points() const noexcept { return points_; }
 
+    /// The tree over them.
     [[nodiscard]] const KdTree& tree() const noexcept { return search_.tree(); }
 
     /// How the tree was built and what it measures.

@@ -98,8 +98,10 @@ public:
     /// Throws Error(unsupported) if the mesh is not closed.
     [[nodiscard]] SignedDistance make_signed_distance() const;
 
+    /// The mesh, as it was given.
     [[nodiscard]] const TriangleMesh& mesh() const noexcept { return mesh_; }
 
+    /// The tree over its triangles.
     [[nodiscard]] const Bvh8& tree() const noexcept { return tracer_.tree(); }
 
     /// How the tree was built and what it measures.

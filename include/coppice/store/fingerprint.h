@@ -12,10 +12,10 @@ namespace coppice::inline v0 {
 /// bytes of their arrays (XXH3, pieces of 1 MiB in parallel). For primitives of your own fill it in
 /// as you like.
 struct Fingerprint {
-    std::uint64_t primitive_count = 0;
-    std::uint64_t vertex_count = 0;
-    std::uint64_t vertex_hash = 0;
-    std::uint64_t index_hash = 0;  ///< of the triangles' corners; 0 for points
+    std::uint64_t primitive_count = 0;  ///< triangles, or points
+    std::uint64_t vertex_count = 0;     ///< of a mesh all of them, used or not
+    std::uint64_t vertex_hash = 0;      ///< of the vertices' coordinates
+    std::uint64_t index_hash = 0;       ///< of the triangles' corners; 0 for points
 
     friend constexpr bool operator==(const Fingerprint&, const Fingerprint&) = default;
 };

@@ -24,11 +24,11 @@ using AnyTree = std::variant<KdTree, Bvh8>;
 
 /// A tree that was read from a file, with what the file says of it.
 struct SavedTree {
-    AnyTree tree;
-    Fingerprint primitives;
-    TreeOrigin origin;
-    std::uint64_t file_bytes = 0;
-    std::uint32_t format_version = 0;
+    AnyTree tree;                      ///< keeps the file mapped
+    Fingerprint primitives;            ///< what the tree was built for
+    TreeOrigin origin;                 ///< how it was built
+    std::uint64_t file_bytes = 0;      ///< size of the file
+    std::uint32_t format_version = 0;  ///< of the file, see docs/formats.md
 };
 
 /// Writes a tree and the fingerprint of its primitives to a file: under a temporary name, which is
@@ -36,6 +36,7 @@ struct SavedTree {
 /// The same tree gives the same bytes. Throws Error(io).
 void save_tree(const std::filesystem::path& file, const KdTree& tree, const Fingerprint& primitives,
                const TreeOrigin& origin = {});
+/// The same for an 8-wide tree.
 void save_tree(const std::filesystem::path& file, const Bvh8& tree, const Fingerprint& primitives,
                const TreeOrigin& origin = {});
 

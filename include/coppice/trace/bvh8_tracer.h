@@ -35,6 +35,7 @@ public:
     /// The same, and adds to `counts` what it took; a primitive is a lane of a tested block.
     [[nodiscard]] std::optional<Hit> intersect(const Ray& ray,
                                                TraversalCounts& counts) const noexcept;
+    /// True if the ray hits any triangle; adds to `counts` what it took.
     [[nodiscard]] bool occluded(const Ray& ray, TraversalCounts& counts) const noexcept;
 
     /// The first `hits.size()` hits in order of t, then of id, that come after `*after`, or from
@@ -67,6 +68,7 @@ public:
     void count_hits(std::span<const Ray> rays, std::span<std::size_t> counts,
                     int threads = 0) const;
 
+    /// The tree that is traced.
     [[nodiscard]] const Bvh8& tree() const noexcept { return tree_; }
 
 private:

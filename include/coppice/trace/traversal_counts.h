@@ -10,6 +10,7 @@ struct TraversalCounts {
     std::uint64_t leaves = 0;      ///< Leaves visited, empty ones included.
     std::uint64_t primitives = 0;  ///< Primitives tested, each time they are.
 
+    /// Adds those of other rays.
     TraversalCounts& operator+=(const TraversalCounts& other) noexcept {
         nodes += other.nodes;
         leaves += other.leaves;

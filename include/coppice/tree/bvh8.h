@@ -17,8 +17,11 @@ inline constexpr std::size_t bvh8_width = 8;
 /// Uninitialized unless made by a factory: traversals have stacks of them.
 class Bvh8Child {
 public:
+    /// The greatest index of a node.
     static constexpr std::uint32_t max_node_index = (1U << 31) - 2;
+    /// The greatest index of a block.
     static constexpr std::uint32_t max_block_index = (1U << 27) - 1;
+    /// The most blocks that a leaf may have.
     static constexpr std::uint32_t max_block_count = 16;
 
     Bvh8Child() = default;
@@ -38,8 +41,10 @@ public:
         return Bvh8Child(leaf_bit | (count - 1) << count_shift | first);
     }
 
+    /// True if there is nothing in the slot.
     [[nodiscard]] constexpr bool is_empty() const noexcept { return bits_ == empty_bits; }
 
+    /// True if the slot holds a leaf.
     [[nodiscard]] constexpr bool is_leaf() const noexcept { return (bits_ & leaf_bit) != 0; }
 
     /// Inner nodes only.
@@ -71,7 +76,7 @@ private:
 /// and have an empty box.
 struct alignas(64) Bvh8Node {
     std::array<std::array<float, bvh8_width>, 6> bound;  ///< lower x, y, z, upper x, y, z
-    std::array<Bvh8Child, bvh8_width> child;
+    std::array<Bvh8Child, bvh8_width> child;             ///< what each slot holds
     std::array<std::uint32_t, 8> unused{};  ///< up to whole cache lines; 0, so that bytes compare
 
     /// The box of one child.
@@ -96,10 +101,11 @@ static_assert(sizeof(Bvh8Node) == 256);
 /// Lanes without a triangle come last; they have the id `no_triangle` and corners of NaN, which no
 /// ray hits.
 struct alignas(64) TriangleBlock {
+    /// The id of a lane without a triangle.
     static constexpr std::uint32_t no_triangle = 0xffffffff;
 
     std::array<std::array<std::array<float, bvh8_width>, 3>, 3> corner;  ///< [corner][axis][lane]
-    std::array<std::uint32_t, bvh8_width> id;
+    std::array<std::uint32_t, bvh8_width> id;  ///< of the triangle in each lane
 
     /// The corners in one lane.
     [[nodiscard]] Triangle triangle(std::size_t lane) const noexcept {
@@ -128,8 +134,10 @@ public:
     Bvh8(std::shared_ptr<const void> storage, std::span<const Bvh8Node> nodes,
          std::span<const TriangleBlock> blocks, const Aabb& bounds);
 
+    /// All nodes, the root first.
     [[nodiscard]] std::span<const Bvh8Node> nodes() const noexcept { return nodes_; }
 
+    /// The triangles of all leaves.
     [[nodiscard]] std::span<const TriangleBlock> blocks() const noexcept { return blocks_; }
 
     /// The box of all triangles.

@@ -18,6 +18,7 @@ enum class SampleContent : std::uint8_t { some = 0, none = 1 };
 /// child (the upper child follows it), or a leaf with a range of references.
 class KdNode {
 public:
+    /// The greatest count of references and index of a child.
     static constexpr std::uint32_t max_payload = (1U << 29) - 1;
 
     /// An empty leaf.
@@ -41,6 +42,7 @@ public:
                                    static_cast<std::uint32_t>(plane.axis)};
     }
 
+    /// True for a leaf, false for an inner node.
     [[nodiscard]] bool is_leaf() const noexcept { return (tagged_ & axis_mask) == leaf_tag; }
 
     /// Inner nodes only.

@@ -32,10 +32,13 @@ public:
     KdTree(std::shared_ptr<const void> storage, std::span<const KdNode> nodes,
            std::span<const std::uint32_t> references, const Aabb& bounds);
 
+    /// All nodes in the order described above.
     [[nodiscard]] std::span<const KdNode> nodes() const noexcept { return nodes_; }
 
+    /// The first of nodes().
     [[nodiscard]] const KdNode& root() const noexcept { return nodes_.front(); }
 
+    /// The references of all leaves.
     [[nodiscard]] std::span<const std::uint32_t> references() const noexcept { return references_; }
 
     /// The ids in one leaf of this tree.
@@ -43,6 +46,7 @@ public:
         return references().subspan(leaf.first_reference(), leaf.reference_count());
     }
 
+    /// The box that the planes divide.
     [[nodiscard]] const Aabb& bounds() const noexcept { return bounds_; }
 
     /// Bytes of nodes and references.
@@ -83,6 +87,7 @@ public:
     /// No leaf has references; each records whether it had any (KdNode::in_sample).
     [[nodiscard]] std::span<const KdNode> nodes() const noexcept { return nodes_; }
 
+    /// The box that the planes divide.
     [[nodiscard]] const Aabb& bounds() const noexcept { return bounds_; }
 
     /// Gives up the nodes, for a refill in place; the skeleton is left without nodes.

@@ -37,9 +37,9 @@ enum class ValidationIssueKind {
 /// unreachable_reference; the index of a block of a 8-wide tree for unreachable_reference,
 /// bad_reference and wrong_corners; else that of a node.
 struct ValidationIssue {
-    ValidationIssueKind kind;
-    std::uint64_t subject = 0;
-    std::string message;
+    ValidationIssueKind kind;   ///< what is wrong
+    std::uint64_t subject = 0;  ///< what it is about, see above
+    std::string message;        ///< one line with the numbers in it
 };
 
 /// All that is wrong with a tree over `primitives`, at most `limit` findings; none for a sound

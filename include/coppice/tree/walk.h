@@ -10,9 +10,9 @@ namespace coppice::inline v0 {
 
 /// A node met on a walk: its index, its box and its depth (the root's is 0).
 struct VisitedNode {
-    std::uint32_t index = 0;
-    Aabb box;
-    int depth = 0;
+    std::uint32_t index = 0;  ///< into the nodes of the tree
+    Aabb box;                 ///< that the planes above leave to it
+    int depth = 0;            ///< 0 for the root
 };
 
 /// Calls `visit(const VisitedNode&)` for a node and all below it, depth first, parents before

@@ -1,10 +1,10 @@
-// How a group of rays goes through the 8-wide tree: part of a traversal's kernels, included after
+// How a ray packet goes through the 8-wide tree: part of a traversal's kernels, included after
 // bvh8_traversal.inl and ray_packet.inl.
 //
-// At a node all boxes are cut first by the beam, which is as wide as the eight rays, and then each
-// box that it meets by the eight rays at once; the group goes on to these boxes with the rays that
-// meet them. Fewer than three rays go on alone. At a leaf each ray's own query is asked, so hits
-// are those of single rays.
+// At a node all boxes are cut first by the frustum, which is as wide as the eight rays, and then
+// each box that it meets by the eight rays at once; the group goes on to these boxes with the rays
+// that meet them. Fewer than three rays go on alone. At a leaf each ray's own query is asked, so
+// hits are those of single rays.
 
 template <typename Query>
 class PacketTraversal {
@@ -70,7 +70,7 @@ private:
 
     // Goes on to one of the children that any ray meets, as Traversal does; false if there is none.
     bool step_down(const Bvh8Node& node, Bvh8Child& at, unsigned& rays) noexcept {
-        const BoxHits met = group_.beam.meet(node, broadcast(first_), broadcast(limit_));
+        const BoxHits met = group_.frustum.meet(node, broadcast(first_), broadcast(limit_));
         if (met.mask == 0) return false;
         alignas(32) std::array<float, bvh8_width> enter;
         store(met.enter, enter);

@@ -1,15 +1,15 @@
-// Eight rays that go much the same way, and the beam of all of them: part of a traversal's kernels,
-// included after bvh8_boxes.inl.
+// Eight rays that go much the same way, and the frustum of all of them: part of a traversal's
+// kernels, included after bvh8_boxes.inl.
 
 constexpr std::size_t packet_size = 8;
 
 using OfRays = std::array<float, packet_size>;  // a number of each
 
-// Eight rays, all quick and with directions of the same signs, and the beam of all of them.
+// Eight rays, all quick and with directions of the same signs, and the frustum of all of them.
 struct Group {
     // To be gathered.
     explicit Group(std::span<const Ray, packet_size> eight) noexcept
-        : rays(eight), each(eight.front().direction), beam(eight.front().direction) {}
+        : rays(eight), each(eight.front().direction), frustum(eight.front().direction) {}
 
     // False if the rays are no such group.
     bool gather(const Aabb& bounds) noexcept {
@@ -43,7 +43,7 @@ struct Group {
 
     std::span<const Ray, packet_size> rays;
     FastRay each;  // a ray in each lane
-    FastRay beam;
+    FastRay frustum;
 
 private:
     [[nodiscard]] bool have_same_signs() const noexcept {
@@ -93,6 +93,6 @@ private:
         const auto [least, most] = std::minmax_element(direction.begin(), direction.end());
         const Line upper{broadcast(*high), broadcast(1.0F / *most)};
         const Line lower{broadcast(*low), broadcast(1.0F / *least)};
-        *least < 0.0F ? beam.set_axis(axis, lower, upper) : beam.set_axis(axis, upper, lower);
+        *least < 0.0F ? frustum.set_axis(axis, lower, upper) : frustum.set_axis(axis, upper, lower);
     }
 };
