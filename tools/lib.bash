@@ -34,9 +34,32 @@ as_root() {
 apt_get() {
     local run=()
     [[ $1 != as_root ]] || { run=(as_root) && shift; }
-    "${run[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -y \
+    "${run[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y \
         -o Acquire::Retries=1 -o Acquire::http::Timeout=5 -o Acquire::https::Timeout=5 \
         -o DPkg::Lock::Timeout=120 -o APT::Sandbox::User=root "$@"
+}
+
+# logged LOG CMD...: runs CMD with its words going to LOG. Where that takes long, a line every 10
+# seconds tells how long already and the last of those words.
+logged() {
+    local log=$1 code=0 ticker
+    shift
+    : >"$log"
+    report_every 10 "$log" &
+    ticker=$!
+    "$@" >"$log" 2>&1 </dev/null || code=$?
+    kill $ticker 2>/dev/null || true
+    wait $ticker 2>/dev/null || true
+    return $code
+}
+
+# report_every SECONDS LOG: as long as the tool runs.
+report_every() {
+    local never since=$SECONDS
+    exec {never}<> <(:) # nothing is ever read from it: a pause that leaves no process behind
+    while read -rt "$1" -u "$never" || kill -0 $$ 2>/dev/null; do
+        say "$((SECONDS - since)) s: $(tail -n1 "$2" | cut -c1-70)"
+    done
 }
 
 # The line of a log that says why: what could not be fetched, else the first error, else its end.
@@ -54,9 +77,44 @@ list_files() {
         done
 }
 
-# configure PRESET: quiet unless it fails.
+# build_folder PRESET: where it is built. The preset `demo` is a part of `release`.
+build_folder() {
+    if [[ $1 == demo ]]; then echo build/release; else echo "build/$1"; fi
+}
+
+# configure PRESET: quiet unless it fails. `preset` in the folder says which one it was.
 configure() {
-    local log=build/$1/configure.log
-    mkdir -p "build/$1"
+    local folder log
+    folder=$(build_folder "$1")
+    log=$folder/configure.log
+    mkdir -p "$folder"
     cmake --preset "$1" >"$log" 2>&1 || { cat "$log" >&2; die "cannot configure the preset $1"; }
+    echo "$1" >"$folder/preset"
+}
+
+# thin SECONDS: of ninja's status lines at most one in that time, but all other lines, each below
+# the status line of what it is about.
+thin() {
+    local pause=$1 line part='' status='' shown='' since=$SECONDS
+    while true; do
+        if IFS= read -rt 1 line; then
+            line=$part$line part=''
+            if [[ $line == \[+([0-9])/+([0-9])\]* ]]; then
+                status=$line
+            elif [[ $line != 'ninja: no work to do.' ]]; then
+                [[ $status == "$shown" ]] || echo "$status"
+                echo "$line"
+                shown=$status
+            fi
+        elif (($? > 128)); then # nothing came, or the beginning of a line
+            part+=$line
+        else
+            [[ -z $part$line ]] || echo "$part$line"
+            break
+        fi
+        if ((SECONDS - since >= pause)); then
+            [[ -z $status ]] || echo "$status"
+            shown=$status since=$SECONDS
+        fi
+    done
 }

@@ -14,9 +14,9 @@ function skip(reason) {
 
 export async function launchBrowser() {
   const executablePath = candidates.find(existsSync);
-  if (executablePath === undefined) skip("no Chromium (Debian: chromium); run tools/setup --checks");
+  if (executablePath === undefined) skip("no Chromium (Debian: chromium); run tools/setup --for checks");
   const playwright = await import("playwright-core").catch(() =>
-    skip("playwright-core is not installed; run tools/setup --checks"),
+    skip("playwright-core is not installed; run tools/setup --for checks"),
   );
   return playwright.chromium.launch({
     executablePath,
