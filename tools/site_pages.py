@@ -6,7 +6,7 @@ Pages are written for a forge and for the site alike. What only the site has is 
               toctree, in index.md under the heading above it
   links       to a page of the site stay links to it; to another file of the repository they become
               downloads; to a folder they become its name
-  [Key]       becomes a link to its entry in references.md
+  [Key]       has an anchor in references.md; docs/site/conf.py links to it
   glossary    the items `- **term**: definition` of glossary.md become a glossary that is indexed
   reference   `<!-- api: MODULE -->` becomes what the headers in include/coppice/MODULE declare
 """
@@ -46,12 +46,6 @@ def outside_fences(text, change):
     return "\n".join(lines)
 
 
-def outside_code(line, change):
-    """The line with `change(part)` in place of all parts that are not in backticks."""
-    parts = re.split(r"(`+[^`]*`+)", line)
-    return "".join(part if part.startswith("`") else change(part) for part in parts)
-
-
 def relative(target, page_name):
     return os.path.relpath(target, os.path.dirname(page_name) or ".")
 
@@ -76,16 +70,6 @@ def rewrite_links(text, page, names, source):
         return f"{mark}[{label}]({link})"
 
     return outside_fences(text, lambda line: LINK.sub(rewrite, line))
-
-
-def reference_keys():
-    return set(re.findall(r"^- \*\*\[(\w+)\]\*\*", (ROOT / "docs/references.md").read_text(), re.MULTILINE))
-
-
-def link_citations(text, keys):
-    citation = re.compile(r"\[(" + "|".join(sorted(keys)) + r")\](?![(\]])")
-    role = lambda match: "{ref}`[%s] <ref-%s>`" % (match[1], match[1].lower())
-    return outside_fences(text, lambda line: outside_code(line, lambda part: citation.sub(role, part)))
 
 
 def with_targets(text):
@@ -130,9 +114,12 @@ def headers_of(module):
 def with_reference(text, declared):
     def expand(match):
         headers = [str(header) for header in headers_of(match[1])]
-        return "\n\n".join("\n\n".join([f"## {header}", *declared[header]]) for header in headers if header in declared)
+        return "\n\n".join("\n\n".join([f"## {os.path.basename(header)}", *declared[header]]) for header in headers if header in declared)
 
     return API_MARK.sub(expand, text)
+
+
+MAKE = {"docs/references.md": with_targets, "docs/glossary.md": with_glossary}
 
 
 def check_reference(pages):
@@ -155,15 +142,15 @@ def stage_pages(source, declared):
 
     `declared` has the directives of each public header, see site_reference.
     """
-    names, keys = site_names(), reference_keys()
+    names = site_names()
     pages = {page: (ROOT / page).read_text(encoding="utf-8") for page in names if page.endswith(".md")}
     check_reference(pages)
     for page, text in pages.items():
         text = rewrite_links(text, page, names, source)
         if os.path.basename(names[page]) == "index.md":
             text = with_sidebar(text, page)
-        text = with_targets(text) if page == "docs/references.md" else link_citations(text, keys)
-        text = with_glossary(text) if page == "docs/glossary.md" else with_reference(text, declared)
+        text = MAKE.get(page, lambda same: same)(text)
+        text = with_reference(text, declared)
         write_if_changed(source / names[page], text.encode())
     for image in names.keys() - pages.keys():
         write_if_changed(source / names[image], (ROOT / image).read_bytes())

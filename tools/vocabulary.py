@@ -33,6 +33,7 @@ RETIRED = [
     (r"\b[Ee]dge[ _]volumes?\b|\bEdgeVolume\w*", "edge function"),
     (r"\b[Oo]ddit(?:y|ies)\b", "LoadIssue, load issue"),
     # Folders.
+    (r"\bworkbench/lab\b|\btests/lab\b|#include \"lab/", "statistics, rows, scenes, experiment, bench, verify, tune, compare"),
     (r"\bcoppice/build/|\b(?:src|tests)/build/(?=\w)", "builders/"),
 ]
 

@@ -4,6 +4,9 @@ import os
 import re
 from pathlib import Path
 
+from docutils import nodes
+from sphinx import addnodes
+
 ROOT = Path(__file__).resolve().parents[2]
 
 
@@ -19,8 +22,6 @@ version = release = project_version()
 
 extensions = ["myst_parser", "breathe"]
 myst_heading_anchors = 4  # the anchors that forges give headings
-myst_enable_extensions = ["html_image"]
-suppress_warnings = []
 highlight_language = "none"
 primary_domain = "cpp"
 
@@ -38,3 +39,27 @@ html_theme_options = {
     "light_css_variables": {"color-brand-primary": "#2f6b3a", "color-brand-content": "#2f6b3a"},
     "dark_css_variables": {"color-brand-primary": "#8fca98", "color-brand-content": "#8fca98"},
 }
+
+CITATION = re.compile(r"(\[[A-Z]\w+\d{4}\])")
+
+
+def link_citations(app, document):
+    """[Key] becomes a link to its entry in references.md, in pages and in comments of headers."""
+    if app.env.docname == "references":
+        return
+    for text in list(document.findall(nodes.Text)):
+        if CITATION.search(text) and not isinstance(text.parent, (nodes.literal, nodes.literal_block, nodes.reference)):
+            parts = [part for part in CITATION.split(text) if part]
+            text.parent.replace(text, [link_to(app.env.docname, part) if CITATION.match(part) else nodes.Text(part)
+                                       for part in parts])
+
+
+def link_to(page, key):
+    link = addnodes.pending_xref(key, nodes.inline(key, key), refdomain="std", reftype="ref", refexplicit=True,
+                                 refwarn=True, reftarget="ref-" + key[1:-1].lower(), refdoc=page)
+    link.source, link.line = page, 0
+    return link
+
+
+def setup(app):
+    app.connect("doctree-read", link_citations)

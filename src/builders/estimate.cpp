@@ -5,7 +5,7 @@
 // built twice and the faster build counts, since the first of a process is slower than all others
 // and a short one is easily disturbed; but the build to come touches its memory for the first time,
 // and what that takes is measured on an eighth of it. Cost: about a fifth of the build of a k-d
-// tree, up to half of that of a 8-wide tree. Error: what the pieces differ from the rest of
+// tree, up to half of that of an 8-wide tree. Error: what the pieces differ from the rest of
 // the scene, and for the seconds the noise of the machine.
 
 #include "coppice/builders/estimate.h"

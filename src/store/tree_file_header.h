@@ -9,7 +9,7 @@
 namespace coppice::inline v0 {
 
 /// The first bytes of a tree file, as they lie in memory; see docs/formats.md. What follows are the
-/// nodes, the items (references of a k-d tree, blocks of a 8-wide one), the method's name and the
+/// nodes, the items (references of a k-d tree, blocks of an 8-wide one), the method's name and the
 /// options, without gaps.
 struct TreeFileHeader {
     /// Ours for certain: the first byte is not text, and the line ends do not survive a transfer as

@@ -1,4 +1,4 @@
-// Checks a 8-wide tree in two steps: its shape (each node and block reached once, boxes nested),
+// Checks an 8-wide tree in two steps: its shape (each node and block reached once, boxes nested),
 // then its contents: every block holds the corners of existing triangles, and the points by which a
 // triangle is known (corners, middles of edges) lie in the boxes of leaves that refer to it. Points
 // and not boxes, because a leaf may be meant for a part of a triangle only.

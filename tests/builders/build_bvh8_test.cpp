@@ -150,7 +150,7 @@ TEST(BuildBvh8, RefusesMoreTrianglesThanItsBlocksCanHold) {
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::limit);
         EXPECT_STREQ(error.what(),
-                     "1073741825 triangles; a 8-wide tree can hold at most 1073741824");
+                     "1073741825 triangles; an 8-wide tree can hold at most 1073741824");
     }
 }
 

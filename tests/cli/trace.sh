@@ -5,7 +5,7 @@ mkdir new
 coppice generate spheres --triangles 1000 -o balls.ply >/dev/null
 coppice generate city --triangles 300 -o town.obj >/dev/null
 
-# Against every triangle, for a k-d tree and a 8-wide one.
+# Against every triangle, for a k-d tree and an 8-wide one.
 for method in sampled fast; do
     expect_exit 0 coppice trace balls.ply town.obj --size 20 --method $method --check brute
     expect_stderr_empty

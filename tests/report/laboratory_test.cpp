@@ -15,7 +15,7 @@ json tree(const char* protocol, double percent) {
     return {{"protocol", protocol}, {"sampler", "uniform"}, {"sample_percent", percent}};
 }
 
-// A scene of three k-d trees, a 8-wide tree and a peer, with what rays measured.
+// A scene of three k-d trees, an 8-wide tree and a peer, with what rays measured.
 json traced_scene() {
     json scene{{"scene", "hall"}, {"rows", json::array()}, {"details", json::array()}};
     const auto add = [&](const char* protocol, const char* form, double percent, const json& cost,

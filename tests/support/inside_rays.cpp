@@ -28,7 +28,7 @@ Vec3d middle(const Triangle& triangle) {
     return (1.0 / 3.0) * (to_double(triangle[0]) + to_double(triangle[1]) + to_double(triangle[2]));
 }
 
-// The planes of a k-d tree and the sides of a 8-wide tree's boxes, sorted.
+// The planes of a k-d tree and the sides of an 8-wide tree's boxes, sorted.
 std::array<std::vector<float>, 3> planes_of(const KdTree& planes, const Bvh8& boxes) {
     std::array<std::vector<float>, 3> found;
     for (const KdNode& node : planes.nodes()) {

@@ -33,7 +33,7 @@ namespace coppice::test {
     return testing::AssertionFailure() << testing::PrintToString(findings);
 }
 
-/// The same for a 8-wide tree.
+/// The same for an 8-wide tree.
 [[nodiscard]] inline testing::AssertionResult is_sound(const Bvh8& tree, TriangleMeshView mesh) {
     const std::vector<ValidationIssue> findings = validate(tree, mesh, 3);
     if (findings.empty()) return testing::AssertionSuccess();

@@ -35,7 +35,7 @@ struct ExperimentObserver {
 /// builds the tree, measures it, traces rays if any are asked for, and frees it. The 100 % tree is
 /// always built, first, because costs are relative to it; it is a row only if 100 is among the
 /// rates. A builder that does not sample has only that one, and 8-wide trees and peers are of
-/// triangles. Of the rates of a 8-wide tree that come to the same sample only the first is a row.
+/// triangles. Of the rates of an 8-wide tree that come to the same sample only the first is a row.
 /// If there are several scenes all are loaded once before the first tree, so that a broken file
 /// is found in time. Only one scene is in memory at a time.
 /// Throws Error(invalid_argument) for options out of range, Error(unsupported) for a kind of

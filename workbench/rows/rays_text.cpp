@@ -143,7 +143,7 @@ std::string rays_text(const SceneResult& scene) {
         "{}, rays through each tree of triangles (points are not traced): {}\n{}{}"
         "cost as a prediction (Spearman's rank correlation):\n{}"
         "t_trav and t_isect of this machine (least squares, >= 0; wall clock on all "
-        "threads; the tests of a 8-wide tree are of 8 triangles):\n{}",
+        "threads; the tests of an 8-wide tree are of 8 triangles):\n{}",
         scene.scene, ray_counts(traced->rays), tree_lines(scene, race), drift_line(scene),
         prediction_lines(scene), calibration_lines(scene));
 }

@@ -53,7 +53,7 @@ enum class LeafRefinement {
     kd     ///< each is built on as a k-d tree until no split pays
 };
 
-/// How much a 8-wide tree may cost to build.
+/// How much an 8-wide tree may cost to build.
 enum class Bvh8Preset {
     automatic,  ///< fast, or quality where 30 rays and more are expected for a triangle; at a
                 ///< sampling rate of 1 fast takes its own sample: 1 %, weighted

@@ -52,7 +52,7 @@ struct BuildEstimate {
 struct BuildReport {
     BuildOptions options;  ///< those that the build was given
     std::string method;    ///< the name in method_registry(), if it was built by name
-    Bvh8Preset preset = Bvh8Preset::automatic;  ///< that a 8-wide tree was built by
+    Bvh8Preset preset = Bvh8Preset::automatic;  ///< that an 8-wide tree was built by
     std::string preset_reason;  ///< why it is a smaller one than `automatic` had chosen, or nothing
     std::uint32_t primitive_count = 0;  ///< over which the tree is built
     std::uint32_t sample_count = 0;     ///< drawn from them

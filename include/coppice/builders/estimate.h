@@ -11,7 +11,7 @@ namespace coppice::inline v0 {
 
 /// What build_kd_tree() is expected to come to with these primitives and options: from building a
 /// sixteenth of the scene, in pieces from all over it. Takes about a fifth of the time of the
-/// build, of a 8-wide tree's up to half. The seconds are for memory that the process has not
+/// build, of an 8-wide tree's up to half. The seconds are for memory that the process has not
 /// touched yet. All but the seconds depends on primitives and options alone; these are of this
 /// machine, now. Throws like build_kd_tree().
 [[nodiscard]] BuildEstimate estimate_kd_tree(PrimitiveSetView primitives,

@@ -12,7 +12,7 @@ namespace coppice::inline v0 {
 /// point) count nothing: no ray meets them. Source: [Tsiompikas2022] eq. 4 to 6.
 [[nodiscard]] TreeStatistics measure(const KdTree& tree, const SahCostModel& model);
 
-/// The same of a 8-wide tree: nodes of eight as inner nodes, leaf slots as leaves, and a block of
+/// The same of an 8-wide tree: nodes of eight as inner nodes, leaf slots as leaves, and a block of
 /// eight triangles as what costs one intersection, for that is how they are tested. A reference is
 /// a triangle in a leaf.
 [[nodiscard]] TreeStatistics measure(const Bvh8& tree, const SahCostModel& model);

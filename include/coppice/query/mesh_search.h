@@ -17,7 +17,7 @@ namespace coppice::inline v0 {
 
 struct MeshSearchKernels;
 
-/// Finds triangles by their place with a 8-wide tree: the nearest, the k nearest, those within a
+/// Finds triangles by their place with an 8-wide tree: the nearest, the k nearest, those within a
 /// distance, those that overlap a box. What is found equals brute_force_*() to the bit, on every
 /// instruction set: distances are those of closest_point(), overlaps those of overlaps(), and of
 /// equally near triangles the lowest id comes first.

@@ -14,7 +14,7 @@ namespace coppice::inline v0 {
 
 struct TraceKernels;
 
-/// Traces rays against a 8-wide tree, with the kernels of one instruction set. Hits equal those of
+/// Traces rays against an 8-wide tree, with the kernels of one instruction set. Hits equal those of
 /// brute_force_intersect() to the bit, the lowest id of equally close ones included. Queries are
 /// reentrant and allocate nothing; those of single rays never throw. A ray that is not traceable
 /// hits nothing.

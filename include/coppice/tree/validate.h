@@ -34,7 +34,7 @@ enum class ValidationIssueKind {
 
 /// One thing wrong with a tree, in words, with what it is about: the id of a primitive for
 /// lost_primitive and bounds_too_small; the index of a reference of a k-d tree for
-/// unreachable_reference; the index of a block of a 8-wide tree for unreachable_reference,
+/// unreachable_reference; the index of a block of an 8-wide tree for unreachable_reference,
 /// bad_reference and wrong_corners; else that of a node.
 struct ValidationIssue {
     ValidationIssueKind kind;   ///< what is wrong
@@ -48,7 +48,7 @@ struct ValidationIssue {
 [[nodiscard]] std::vector<ValidationIssue> validate(const KdTree& tree, PrimitiveSetView primitives,
                                                     std::size_t limit = 100);
 
-/// The same for a 8-wide tree over the triangles of `mesh`. A triangle counts as lost unless its
+/// The same for an 8-wide tree over the triangles of `mesh`. A triangle counts as lost unless its
 /// corners and the middle of its edges each lie in the box of a leaf that refers to it.
 [[nodiscard]] std::vector<ValidationIssue> validate(const Bvh8& tree, TriangleMeshView mesh,
                                                     std::size_t limit = 100);

@@ -1,5 +1,5 @@
-// The parts of a 8-wide tree become its two arrays: first every part's place is found, depth first,
-// then all are copied at the same time, and the triangles' corners fetched from the mesh.
+// The parts of an 8-wide tree become its two arrays: first every part's place is found, depth
+// first, then all are copied at the same time, and the triangles' corners fetched from the mesh.
 
 #include "coppice/base/error.h"
 #include "coppice/base/parallel.h"

@@ -15,7 +15,7 @@
 
 namespace coppice::inline v0::bvh8 {
 
-/// A piece of a 8-wide tree, built by one task: nodes and leaves with their own numbering, and the
+/// A piece of an 8-wide tree, built by one task: nodes and leaves with their own numbering, and the
 /// pieces that hang below it.
 struct Part {
     /// A leaf's triangles: a range of the grown tree's ids. Its blocks follow those of the leaf
@@ -38,7 +38,7 @@ struct Part {
     std::uint32_t block_count = 0;
 };
 
-/// A 8-wide tree whose leaves name their triangles: what grow_bvh8() finds out and assemble()
+/// An 8-wide tree whose leaves name their triangles: what grow_bvh8() finds out and assemble()
 /// writes down.
 struct GrownTree {
     Part root;

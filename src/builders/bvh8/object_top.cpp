@@ -1,9 +1,9 @@
-// The top of a 8-wide tree from a sample: a binary tree of object splits over the sampled PrimRefs,
-// each counting 1/p primitives in the costs, and the pass that sends all PrimRefs down it. A cell
-// takes what has its centroid there, so nothing is cut and boxes grow to fit. The descent branches:
-// meshes are coherent, and branches that repeat cost less than the arithmetic that avoids them.
-// Cost: sample size times its depth, then N times the depth of the top.
-// Source: [Tessari2023] sec. 3, [Wald2007] sec. 3.
+// The top of an 8-wide tree from a sample: a binary tree of object splits over the sampled
+// PrimRefs, each counting 1/p primitives in the costs, and the pass that sends all PrimRefs down
+// it. A cell takes what has its centroid there, so nothing is cut and boxes grow to fit. The
+// descent branches: meshes are coherent, and branches that repeat cost less than the arithmetic
+// that avoids them. Cost: sample size times its depth, then N times the depth of the top. Source:
+// [Tessari2023] sec. 3, [Wald2007] sec. 3.
 
 #include "coppice/base/parallel.h"
 
@@ -22,7 +22,7 @@ namespace {
 // Fewer sampled PrimRefs do not tell where to split.
 constexpr std::uint32_t min_sampled = 8;
 
-// Half of what a 8-wide tree may have; only hostile scenes come near.
+// Half of what an 8-wide tree may have; only hostile scenes come near.
 constexpr int max_top_depth = 32;
 
 float weight_of(std::span<const PrimRef> prim_refs) {

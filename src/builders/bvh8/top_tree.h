@@ -23,8 +23,8 @@ struct TopNode {
     std::uint32_t index = 0;  ///< of the lower child (the upper one follows), or of the cell
 };
 
-/// The upper part of a 8-wide tree, chosen from a sample: node 0 is the root, children follow their
-/// parents.
+/// The upper part of an 8-wide tree, chosen from a sample: node 0 is the root, children follow
+/// their parents.
 struct TopTree {
     std::vector<TopNode> nodes{TopNode{}};
     std::uint32_t cell_count = 1;

@@ -12,7 +12,7 @@
 
 namespace coppice::inline v0 {
 
-/// A 8-wide tree to search, and which of its triangles are in several leaves.
+/// An 8-wide tree to search, and which of its triangles are in several leaves.
 struct SearchedMesh {
     const Bvh8& tree;
     std::span<const std::uint64_t> repeated;  ///< a bit by id; empty if none is
@@ -22,8 +22,8 @@ struct SearchedMesh {
     }
 };
 
-/// The searches of a 8-wide tree for one instruction set. Points are finite, boxes not empty, spans
-/// have room; `limit` is a squared distance.
+/// The searches of an 8-wide tree for one instruction set. Points are finite, boxes not empty,
+/// spans have room; `limit` is a squared distance.
 struct MeshSearchKernels {
     void (*nearest)(const SearchedMesh&, Vec3f point, double limit, SurfaceNeighbor&) noexcept;
     std::size_t (*nearest_k)(const SearchedMesh&, Vec3f point, double limit,

@@ -11,7 +11,7 @@
 
 namespace coppice::inline v0 {
 
-/// The traversals of a 8-wide tree for one instruction set. Rays that are not traceable hit
+/// The traversals of an 8-wide tree for one instruction set. Rays that are not traceable hit
 /// nothing.
 struct TraceKernels {
     /// Whether there is a hit, and then the closest.
