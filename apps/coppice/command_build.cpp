@@ -5,6 +5,8 @@
 #include "coppice/builders/estimate.h"
 #include "coppice/builders/method.h"
 #include "coppice/io/load_mesh.h"
+#include "coppice/json/build_options.h"
+#include "coppice/json/build_report.h"
 #include "coppice/store/tree_file.h"
 
 #include "build_arguments.h"

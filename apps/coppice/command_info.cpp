@@ -1,6 +1,7 @@
 // coppice info: what a scene holds and what is odd about it.
 
 #include "coppice/io/load_mesh.h"
+#include "coppice/json/load_report.h"
 
 #include "command.h"
 #include "interrupts.h"

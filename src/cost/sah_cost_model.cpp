@@ -3,7 +3,6 @@
 #include "coppice/base/error.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 
@@ -21,12 +20,6 @@ void check(const SahCostModel& model) {
             model.intersection, "(0, inf)");
     require(model.empty_bonus >= 0.0 && model.empty_bonus < 1.0, "empty bonus", model.empty_bonus,
             "[0, 1)");
-}
-
-void to_json(nlohmann::json& json, const SahCostModel& model) {
-    json = {{"traversal", model.traversal},
-            {"intersection", model.intersection},
-            {"empty_bonus", model.empty_bonus}};
 }
 
 }  // namespace coppice::inline v0

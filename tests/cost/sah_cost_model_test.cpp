@@ -4,7 +4,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <limits>
@@ -63,13 +62,6 @@ TEST(CheckSahCostModel, NamesWhatIsOutside) {
         EXPECT_THAT(error_of({.empty_bonus = bad}), testing::StartsWith("empty bonus "));
     }
     EXPECT_EQ(error_of({.empty_bonus = 1.5}), "empty bonus 1.5 is outside [0, 1)");
-}
-
-TEST(SahCostModel, IsSerialized) {
-    const nlohmann::json json =
-        SahCostModel{.traversal = 15, .intersection = 20, .empty_bonus = 0.2};
-    EXPECT_EQ(json,
-              nlohmann::json({{"traversal", 15.0}, {"intersection", 20.0}, {"empty_bonus", 0.2}}));
 }
 
 }  // namespace

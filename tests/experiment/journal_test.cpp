@@ -1,6 +1,8 @@
 #include "experiment/journal.h"
 
 #include "coppice/base/error.h"
+#include "coppice/json/build_options.h"
+#include "coppice/json/tree_statistics.h"
 
 #include "experiment/experiment.h"
 #include "support/lab_scenes.h"

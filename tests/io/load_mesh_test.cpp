@@ -4,7 +4,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <sys/stat.h>
 #include <sys/types.h>
 
@@ -167,23 +166,11 @@ TEST(LoadMesh, CountsADuplicateOnlyForTheSameThreeCorners) {
     EXPECT_EQ(report.duplicate_vertices.count, 0U);
 }
 
-TEST(LoadReport, IsJsonWithEveryFieldUnderItsName) {
+TEST(LoadMesh, CountsDuplicateVerticesAndNegativeIndices) {
     const auto [mesh, report] = load("a.obj", "v 0 0 0\nv 0 0 0\nv 0 1 0\nf 1 2 3\nf -1 -2 -3\n");
-    const nlohmann::json json = report;
-    std::vector<std::string> names;
-    for (const auto& [name, value] : json.items()) {
-        names.push_back(name);
-    }
-    EXPECT_THAT(names,
-                testing::UnorderedElementsAre(
-                    "file", "format", "file_bytes", "load_seconds", "vertex_count", "face_count",
-                    "triangle_count", "polygons", "degenerate_faces", "zero_area_triangles",
-                    "duplicate_triangles", "duplicate_vertices", "unused_vertices",
-                    "negative_index_count", "ignored_line_count", "ignored_element_count",
-                    "trailing_byte_count", "warning_count", "warnings"));
-    EXPECT_EQ(json["duplicate_vertices"], nlohmann::json::parse(R"({"count": 1, "first": [1]})"));
-    EXPECT_EQ(json["negative_index_count"], 3);
-    EXPECT_EQ(json["file"], report.file);
+    EXPECT_EQ(report.duplicate_vertices.count, 1U);
+    EXPECT_THAT(report.duplicate_vertices.first, ElementsAre(1));
+    EXPECT_EQ(report.negative_index_count, 3U);
     EXPECT_THAT(report.file, HasSubstr("a.obj"));
 }
 

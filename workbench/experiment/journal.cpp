@@ -7,6 +7,7 @@
 #include "coppice/base/error.h"
 #include "coppice/base/named.h"
 #include "coppice/io/write_file.h"
+#include "coppice/json/build_report.h"
 
 #include <fcntl.h>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,8 @@
 #include "experiment/results_document.h"
 
+#include "coppice/json/load_report.h"
+#include "coppice/json/tree_statistics.h"
+
 #include "rows/cost_decomposition.h"
 #include "rows/machine.h"
 #include "rows/rays_document.h"

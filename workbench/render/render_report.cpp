@@ -1,5 +1,7 @@
 #include "render/render_report.h"
 
+#include "coppice/json/build_report.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

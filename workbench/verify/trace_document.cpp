@@ -1,5 +1,7 @@
 // What a run of `coppice trace` writes as JSON.
 
+#include "coppice/json/build_options.h"
+
 #include "rows/machine.h"
 #include "verify/trace_results.h"
 

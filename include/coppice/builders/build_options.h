@@ -3,8 +3,6 @@
 #include "coppice/cost/sah_cost_model.h"
 #include "coppice/sample/sampler.h"
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -97,8 +95,5 @@ void check(const BuildOptions& options);
 
 /// The stable lower-case name, e.g. "kd".
 [[nodiscard]] const char* name_of(LeafRefinement leaf_refinement) noexcept;
-
-/// Serializes all options under their own names.
-void to_json(nlohmann::json& json, const BuildOptions& options);
 
 }  // namespace coppice::inline v0

@@ -3,8 +3,6 @@
 #include "coppice/builders/build_options.h"
 #include "coppice/cost/tree_statistics.h"
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -62,11 +60,5 @@ struct BuildReport {
     std::optional<BuildEstimate> estimate;  ///< if one was asked for before the build
     TreeStatistics statistics;              ///< of the finished tree, with its SAH cost
 };
-
-/// Serializes all fields under their own names.
-void to_json(nlohmann::json& json, const BuildEstimate& estimate);
-
-/// Serializes all fields under their own names; `stages` with a `total`, no estimate as null.
-void to_json(nlohmann::json& json, const BuildReport& report);
 
 }  // namespace coppice::inline v0

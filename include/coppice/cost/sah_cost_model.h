@@ -1,7 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-
 namespace coppice::inline v0 {
 
 /// The surface area heuristic's constants, in the same arbitrary unit of time.
@@ -29,8 +27,5 @@ struct SahCostModel {
 
 /// Throws Error(invalid_argument) naming the first constant outside its range.
 void check(const SahCostModel& model);
-
-/// Serializes a model, all constants under their own names.
-void to_json(nlohmann::json& json, const SahCostModel& model);
 
 }  // namespace coppice::inline v0

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <cstdint>
 #include <vector>
 
@@ -27,8 +25,5 @@ struct TreeStatistics {
     std::vector<std::uint64_t> depth_histogram;  ///< leaves at each level, 0 to max_level
     std::vector<double> cost_share_by_depth;     ///< share of sah_cost at each level; sums to 1
 };
-
-/// Serializes all fields under their own names.
-void to_json(nlohmann::json& json, const TreeStatistics& statistics);
 
 }  // namespace coppice::inline v0

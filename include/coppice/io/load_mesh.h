@@ -2,8 +2,6 @@
 
 #include "coppice/geom/triangle_mesh.h"
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -50,12 +48,6 @@ struct LoadReport {
     std::uint64_t warning_count = 0;          ///< of Assimp
     std::vector<std::string> warnings;        ///< the first of them
 };
-
-/// Serializes an issue as {"count": n, "first": [...]}.
-void to_json(nlohmann::json& json, const LoadIssue& issue);
-
-/// Serializes a report, all fields under their own names.
-void to_json(nlohmann::json& json, const LoadReport& report);
 
 /// Reads a triangle mesh: .obj, .ply, both also gzipped (.obj.gz, .ply.gz),
 /// .off (a file whose name has no extension is taken for what it begins like of these), and

@@ -1,4 +1,4 @@
-#include "coppice/cost/tree_statistics.h"
+#include "coppice/json/tree_statistics.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,7 @@
-#include "coppice/builders/build_report.h"
+#include "coppice/json/build_report.h"
+
+#include "coppice/json/build_options.h"
+#include "coppice/json/tree_statistics.h"
 
 #include <nlohmann/json.hpp>
 

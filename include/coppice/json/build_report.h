@@ -1,0 +1,15 @@
+#pragma once
+
+#include "coppice/builders/build_report.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace coppice::inline v0 {
+
+/// Serializes all fields under their own names.
+void to_json(nlohmann::json& json, const BuildEstimate& estimate);
+
+/// Serializes all fields under their own names; `stages` with a `total`, no estimate as null.
+void to_json(nlohmann::json& json, const BuildReport& report);
+
+}  // namespace coppice::inline v0

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "coppice/cost/sah_cost_model.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace coppice::inline v0 {
+
+/// Serializes a model, all constants under their own names.
+void to_json(nlohmann::json& json, const SahCostModel& model);
+
+}  // namespace coppice::inline v0

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "coppice/cost/tree_statistics.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace coppice::inline v0 {
+
+/// Serializes all fields under their own names.
+void to_json(nlohmann::json& json, const TreeStatistics& statistics);
+
+}  // namespace coppice::inline v0
