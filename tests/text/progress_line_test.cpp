@@ -53,16 +53,6 @@ TEST(RemainingTime, UnknownUntilSomethingIsDone) {
     EXPECT_EQ(remaining.seconds(), 0.0);
 }
 
-TEST(RemainingTime, WorkGrowsWithRateAndPrimitives) {
-    const auto work = [](PrimitiveKind kind, std::string_view protocol, double percent) {
-        return work_of_build({kind, protocol, percent, 1000.0});
-    };
-    EXPECT_GT(work(PrimitiveKind::points, "fixed", 100), work(PrimitiveKind::points, "fixed", 1));
-    EXPECT_GT(work(PrimitiveKind::points, "fixed", 1), 0.0);
-    EXPECT_GT(work(PrimitiveKind::triangles, "fixed", 1), work(PrimitiveKind::points, "fixed", 1));
-    EXPECT_GT(work(PrimitiveKind::points, "grown", 1), work(PrimitiveKind::points, "fixed", 1));
-}
-
 }  // namespace
 
 }  // namespace coppice::lab

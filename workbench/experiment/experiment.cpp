@@ -96,7 +96,7 @@ std::vector<std::string> find_errors(const SceneResult& scene) {
                 "{}, {}, {} %, seed {}: {} of {} {} rays hit something else than those of the "
                 "reference ({})",
                 row.protocol, row.sampler, row.sample_percent, row.seed, figures.mismatches,
-                figures.rays, name_of(figures.kind), SceneRays::reference_method()));
+                figures.rays, name_of(figures.kind), reference_method));
         }
     }
     return errors;

@@ -93,7 +93,7 @@ void take_turns(TimedRun<Run> run, TimedRun<Reference> reference, RayFigures& fi
 SceneRays::SceneRays(TriangleMeshView mesh, const RayOptions& options,
                      std::span<const RayKind> kinds, int threads, const BuildControl& control)
     : threads_(threads) {
-    const Method& method = find_method(reference_method());
+    const Method& method = find_method(reference_method);
     BuildOptions build = method.options();
     build.threads = threads;
     run_with_threads(threads, [&] {

@@ -10,7 +10,6 @@
 
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 namespace coppice::lab {
@@ -19,14 +18,11 @@ namespace coppice::lab {
 /// mesh must outlive them.
 class SceneRays {
 public:
-    /// Makes the rays of these kinds, from hits found through a tree by reference_method(), which
+    /// Makes the rays of these kinds, from hits found through a tree by reference_method, which
     /// is kept: its hits and times are what those of all trees are compared with. Throws like
     /// RayMaker and build_bvh8().
     SceneRays(TriangleMeshView mesh, const RayOptions& options, std::span<const RayKind> kinds,
               int threads, const BuildControl& control = {});
-
-    /// Whose hits the others are compared with: a name in method_registry().
-    [[nodiscard]] static std::string_view reference_method() noexcept { return "fast"; }
 
     /// Traces all rays and measures: a counting pass, which warms up, then timed ones in turns with
     /// the reference, of which medians are taken; see remove_drift(). Kinds that the camera sees no

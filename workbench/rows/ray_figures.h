@@ -5,8 +5,13 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 
 namespace coppice::lab {
+
+/// The tree that all others of an experiment take turns with, and whose hits theirs are compared
+/// with: a name in method_registry().
+inline constexpr std::string_view reference_method = "fast";
 
 /// What the traversal of one ray visits, on average.
 struct MeanSteps {

@@ -113,7 +113,7 @@ Json rays_document(const SceneResult& scene) {
     for (const RayFigures& figures : traced->rays) {
         json["ray_counts"][std::string(name_of(figures.kind))] = figures.rays;
     }
-    json["reference"] = SceneRays::reference_method();
+    json["reference"] = reference_method;
     const auto [least, most] = drift_range(scene.rows);
     json["drift"] = {{"least", least}, {"most", most}};
     put_findings(scene, json);

@@ -110,7 +110,7 @@ std::string drift_line(const SceneResult& scene) {
     return fmt::format(
         "times are medians of turns with the tree `{}`, which meanwhile took {:.2f} to {:.2f} "
         "times as long as usual: this is taken out{}\n",
-        SceneRays::reference_method(), least, most,
+        reference_method, least, most,
         is_disturbed ? ", but the machine is too busy for times to be relied on" : "");
 }
 
