@@ -9,7 +9,7 @@ namespace coppice::lab {
 /// The rule by which find_knee() chooses, and where it comes from; recorded in every result.
 inline constexpr std::string_view knee_rule = "kneedle";
 inline constexpr std::string_view knee_source =
-    "V. Satopaa, J. Albrecht, D. Irwin, B. Raghavan: ValidationIssue a \"Kneedle\" in a Haystack: "
+    "V. Satopaa, J. Albrecht, D. Irwin, B. Raghavan: Finding a \"Kneedle\" in a Haystack: "
     "Detecting "
     "Knee Points in System Behavior. ICDCS Workshops 2011";
 
