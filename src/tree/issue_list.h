@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,9 @@ public:
         if (is_full()) return;
         findings_.push_back({kind, subject, fmt::format(format, std::forward<Args>(args)...)});
     }
+
+    /// In words. Not of an empty list.
+    [[nodiscard]] const std::string& first_message() const { return findings_.front().message; }
 
     [[nodiscard]] bool is_empty() const noexcept { return findings_.empty(); }
 

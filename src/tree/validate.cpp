@@ -13,6 +13,7 @@
 
 #include "base/free_memory.h"
 #include "tree/issue_list.h"
+#include "tree/shape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,48 +60,13 @@ public:
           findings_(limit) {}
 
     std::vector<ValidationIssue> run() {
-        if (!has_sound_shape()) return std::move(findings_).take();
-        if (check_references()) check_contents();
+        check_shape(tree_, findings_);
+        if (findings_.is_empty() && check_references()) check_contents();
         return std::move(findings_).take();
     }
 
 private:
-    // Children in range, after their parents, each of one parent, none too deep; so that walks end.
-    bool has_sound_shape() {
-        const auto nodes = tree_.nodes();
-        std::vector<bool> is_child(nodes.size(), false);
-        std::vector<int> depths(nodes.size(), 0);  // of children, set before they are met
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            if (depths[i] > KdTree::max_depth) {
-                findings_.report(ValidationIssueKind::too_deep, i,
-                                 "node {} is {} levels deep, more than {}", i, depths[i],
-                                 KdTree::max_depth);
-                return false;  // one tells it all
-            }
-            if (nodes[i].is_leaf()) continue;
-            const std::size_t child = nodes[i].lower_child();
-            if (child <= i || child + 1 >= nodes.size()) {
-                findings_.report(ValidationIssueKind::bad_child, i,
-                                 "node {} has children {} and {} of {} nodes", i, child, child + 1,
-                                 nodes.size());
-            } else if (is_child[child] || is_child[child + 1]) {
-                findings_.report(ValidationIssueKind::bad_child, i,
-                                 "node {} shares a child with another node", i);
-            } else {
-                is_child[child] = is_child[child + 1] = true;
-                depths[child] = depths[child + 1] = depths[i] + 1;
-            }
-        }
-        for (std::size_t i = 1; i < nodes.size(); ++i) {
-            if (!is_child[i]) {
-                findings_.report(ValidationIssueKind::unreachable_node, i,
-                                 "node {} is nobody's child", i);
-            }
-        }
-        return findings_.is_empty();
-    }
-
-    // Every leaf has its own range of existing, ascending ids, and the ranges cover the array.
+    // Every leaf has a range of its own, of existing, ascending ids, and the ranges cover the array.
     bool check_references() {
         const std::size_t count = tree_.references().size();
         std::vector<bool> is_owned(count, false);
@@ -110,15 +76,15 @@ private:
             const std::size_t first = node.first_reference();
             const std::size_t end = first + node.reference_count();
             const auto owned = is_owned.begin();
-            if (end > count || std::find(owned + static_cast<std::ptrdiff_t>(first),
-                                         owned + static_cast<std::ptrdiff_t>(end),
-                                         true) != owned + static_cast<std::ptrdiff_t>(end)) {
+            const auto own_begin = owned + static_cast<std::ptrdiff_t>(first);
+            const auto own_end = owned + static_cast<std::ptrdiff_t>(end);
+            if (std::find(own_begin, own_end, true) != own_end) {
                 findings_.report(ValidationIssueKind::bad_range, i,
-                                 "leaf {} has references {} to {} of {}", i, first, end, count);
+                                 "leaf {} has references {} to {}, of which another leaf has some",
+                                 i, first, end);
                 continue;
             }
-            std::fill(owned + static_cast<std::ptrdiff_t>(first),
-                      owned + static_cast<std::ptrdiff_t>(end), true);
+            std::fill(own_begin, own_end, true);
             check_ids(i, node);
         }
         const auto unowned = std::find(is_owned.begin(), is_owned.end(), false);
@@ -256,6 +222,8 @@ const char* finding_name(ValidationIssueKind kind) noexcept {
             return "box_outside";
         case ValidationIssueKind::wrong_corners:
             return "wrong_corners";
+        case ValidationIssueKind::bad_gap:
+            return "bad_gap";
     }
     return "unknown";
 }

@@ -1,18 +1,18 @@
-// Checks an 8-wide tree in two steps: its shape (each node and block reached once, boxes nested),
-// then its contents: every block holds the corners of existing triangles, and the points by which a
+// Checks an 8-wide tree in two steps: its shape, then its contents: boxes are nested, every block is in
+// one leaf and holds the corners of existing triangles, and the points by which a
 // triangle is known (corners, middles of edges) lie in the boxes of leaves that refer to it. Points
 // and not boxes, because a leaf may be meant for a part of a triangle only.
 
 #include "coppice/tree/validate.h"
 
 #include "tree/issue_list.h"
+#include "tree/shape.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <string_view>
 #include <utility>
 
 namespace coppice::inline v0 {
@@ -44,16 +44,15 @@ public:
     Bvh8Validator(const Bvh8& tree, TriangleMeshView mesh, std::size_t limit)
         : tree_(tree),
           mesh_(mesh),
-          is_node_met_(tree.nodes().size(), false),
           is_block_met_(tree.blocks().size(), false),
           found_points_(mesh.size(), 0),
           findings_(limit) {}
 
     std::vector<ValidationIssue> run() {
-        is_node_met_[0] = true;
-        visit(0, tree_.bounds(), 0);
-        report_unmet(is_node_met_, ValidationIssueKind::unreachable_node, "node");
-        report_unmet(is_block_met_, ValidationIssueKind::unreachable_reference, "block");
+        check_shape(tree_, findings_);
+        if (!findings_.is_empty()) return std::move(findings_).take();
+        visit(0, tree_.bounds());
+        report_unmet_block();
         for (std::uint32_t id = 0; id < mesh_.size(); ++id) {
             if (found_points_[id] == (1U << point_count) - 1) continue;
             findings_.report(ValidationIssueKind::lost_primitive, id,
@@ -64,20 +63,15 @@ public:
     }
 
 private:
-    void report_unmet(const std::vector<bool>& is_met, ValidationIssueKind kind,
-                      std::string_view what) {
-        const auto unmet = std::find(is_met.begin(), is_met.end(), false);
-        if (unmet == is_met.end()) return;
-        const auto at = static_cast<std::uint64_t>(unmet - is_met.begin());
-        findings_.report(kind, at, "{} {} hangs nowhere", what, at);
+    void report_unmet_block() {
+        const auto unmet = std::find(is_block_met_.begin(), is_block_met_.end(), false);
+        if (unmet == is_block_met_.end()) return;
+        const auto at = static_cast<std::uint64_t>(unmet - is_block_met_.begin());
+        findings_.report(ValidationIssueKind::unreachable_reference, at, "block {} is in no leaf",
+                         at);
     }
 
-    void visit(std::uint32_t index, const Aabb& box, int depth) {
-        if (depth > Bvh8::max_depth) {
-            findings_.report(ValidationIssueKind::too_deep, index,
-                             "node {} is more than {} levels deep", index, Bvh8::max_depth);
-            return;
-        }
+    void visit(std::uint32_t index, const Aabb& box) {
         const Bvh8Node& node = tree_.nodes()[index];
         for (std::size_t slot = 0; slot < bvh8_width; ++slot) {
             const Bvh8Child child = node.child[slot];
@@ -89,26 +83,14 @@ private:
             }
             if (child.is_leaf()) {
                 check_leaf(index, child, padded(child_box));
-            } else if (child.node() <= index || child.node() >= tree_.nodes().size() ||
-                       is_node_met_[child.node()]) {
-                findings_.report(ValidationIssueKind::bad_child, index,
-                                 "node {} has the child {} of {} nodes", index, child.node(),
-                                 tree_.nodes().size());
             } else {
-                is_node_met_[child.node()] = true;
-                visit(child.node(), child_box, depth + 1);
+                visit(child.node(), child_box);
             }
         }
     }
 
     void check_leaf(std::uint32_t node, Bvh8Child leaf, const Aabb& box) {
-        const std::uint64_t end = std::uint64_t{leaf.first_block()} + leaf.block_count();
-        if (end > tree_.blocks().size()) {
-            findings_.report(ValidationIssueKind::bad_range, node,
-                             "a leaf of node {} has blocks {} to {} of {}", node,
-                             leaf.first_block(), end, tree_.blocks().size());
-            return;
-        }
+        const std::uint32_t end = leaf.first_block() + leaf.block_count();
         for (std::uint32_t at = leaf.first_block(); at < end; ++at) {
             if (is_block_met_[at]) {
                 findings_.report(ValidationIssueKind::bad_range, node, "block {} is in two leaves",
@@ -142,7 +124,6 @@ private:
 
     const Bvh8& tree_;
     TriangleMeshView mesh_;
-    std::vector<bool> is_node_met_;
     std::vector<bool> is_block_met_;
     std::vector<unsigned> found_points_;  // a bit for each
     IssueList findings_;

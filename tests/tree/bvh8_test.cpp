@@ -95,6 +95,8 @@ TEST(ValidateBvh8, FindsWhatIsWrong) {
          [](SpoiledTree& tree) { tree.blocks.push_back(tree.blocks[0]); }},
         {ValidationIssueKind::bad_range,
          [](SpoiledTree& tree) { tree.nodes[0].child[7] = Bvh8Child::make_leaf(99'999, 1); }},
+        {ValidationIssueKind::bad_gap,
+         [](SpoiledTree& tree) { tree.nodes[0].child[0] = Bvh8Child::make_empty(); }},
         {ValidationIssueKind::bad_reference,
          [](SpoiledTree& tree) { tree.blocks[0].id[0] = 5000; }},
         {ValidationIssueKind::wrong_corners,

@@ -17,12 +17,8 @@ struct SahCostModel {
     /// The expected cost of a split for a ray in the node, if both children were leaves.
     /// `p_below`, `p_above`: the children's surface areas over the node's.
     /// Source: [Tsiompikas2022] eq. 1, [Pharr2016] sec. 4.4.
-    [[nodiscard]] constexpr double split_cost(double p_below, double count_below, double p_above,
-                                              double count_above) const noexcept {
-        const bool cuts_off_empty_space = count_below == 0.0 || count_above == 0.0;
-        const double factor = cuts_off_empty_space ? 1.0 - empty_bonus : 1.0;
-        return traversal + intersection * factor * (p_below * count_below + p_above * count_above);
-    }
+    [[nodiscard]] double split_cost(double p_below, double count_below, double p_above,
+                                    double count_above) const noexcept;
 };
 
 /// Throws Error(invalid_argument) naming the first constant outside its range.

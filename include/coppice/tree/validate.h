@@ -27,6 +27,7 @@ enum class ValidationIssueKind {
     bounds_too_small,       ///< a primitive that leaves the tree's box
     box_outside,            ///< an 8-wide node's child box that leaves its parent's
     wrong_corners,          ///< a block whose corners are not those of its triangles
+    bad_gap,                ///< an 8-wide node's empty slot before a used one, or with a box
 };
 
 /// The stable lower-case name of a kind of finding, e.g. "lost_primitive".

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 
 namespace coppice::inline v0 {
 
@@ -50,8 +49,5 @@ using NodeBins = std::array<AxisBins, 3>;
     const auto bin = static_cast<int>((position - origin) * bins_per_unit);
     return static_cast<std::size_t>(bin < 0 ? 0 : bin > 31 ? 31 : bin);
 }
-
-/// Adds PrimRefs to the bins.
-void bin_ends(std::span<const PrimRef> prim_refs, const BinGrid& grid, NodeBins& bins) noexcept;
 
 }  // namespace coppice::inline v0

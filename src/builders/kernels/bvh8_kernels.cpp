@@ -1,14 +1,14 @@
 #include "builders/kernels/bvh8_kernels.h"
 
-#include "builders/kernels/bvh8_kernels_sets.h"
+#define COPPICE_SIMD_KERNELS "builders/kernels/bvh8_kernels_set.h"
+#define COPPICE_SIMD_SETS COPPICE_SIMD_AVX2
+#include "simd/foreach_set.h"
 
 namespace coppice::inline v0::bvh8 {
 
-const Kernels& kernels_for([[maybe_unused]] Isa isa) noexcept {
-#if defined(__x86_64__)
-    if (isa >= Isa::avx2) return avx2_kernels();
-#endif
-    return scalar_kernels();
+const Kernels& kernels_for(Isa isa) noexcept {
+    static constexpr simd::Tables<Kernels> tables COPPICE_SIMD_TABLES;
+    return tables.at(isa);
 }
 
 void clear(Bins& bins, std::uint32_t bin_count) noexcept {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "coppice/base/cpu.h"
-
 #include <cstddef>
 
 namespace coppice::inline v0 {
@@ -37,11 +35,5 @@ struct BestPlane {
     double cost;
     float position;
 };
-
-/// Evaluates the ends strictly inside the node. Costs are, bit for bit, those of PlaneEvaluator.
-using PlaneKernel = BestPlane (*)(const AxisEnds& ends, const CostTerms& terms) noexcept;
-
-/// The kernel for an instruction set that this processor has. All find the same.
-[[nodiscard]] PlaneKernel plane_kernel_for(Isa isa) noexcept;
 
 }  // namespace coppice::inline v0

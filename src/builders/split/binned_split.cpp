@@ -19,7 +19,7 @@ std::optional<SplitCandidate> BinnedSplit::find(const SplitQuery& query) const {
     if (query.prim_refs.size() <= small_node_size) return find_in_small_node(query);
     const auto grid = bin_grid(query.box);
     if (!grid) return ExactSplit().find(query);
-    const NodeBins bins = bin_node(query.prim_refs, *grid);
+    const NodeBins bins = bin_node(query.prim_refs, *grid, query.isa);
     const double inverse_area = 1.0 / query.box.surface_area();
     BinnedPlane best;
     for (const Axis axis : all_axes) {

@@ -3,6 +3,7 @@
 #include "coppice/builders/split_finder.h"
 
 #include "builders/kernels/plane_costs.h"
+#include "cost/split_cost.h"
 
 namespace coppice::inline v0 {
 
@@ -41,10 +42,12 @@ public:
     [[nodiscard]] SplitCandidate evaluate(float position,
                                           const SplitCounts& counts) const noexcept {
         const double at = position;
-        const double p_below =
-            (terms_.cap_area + terms_.side_perimeter * (at - terms_.lower)) * terms_.inverse_area;
-        const double p_above =
-            (terms_.cap_area + terms_.side_perimeter * (terms_.upper - at)) * terms_.inverse_area;
+        const auto share_of = [&](double length) {
+            return sah::scalar::area_share(terms_.cap_area, terms_.side_perimeter, length,
+                                           terms_.inverse_area);
+        };
+        const double p_below = share_of(at - terms_.lower);
+        const double p_above = share_of(terms_.upper - at);
         const SplitPlane plane{axis_, position};
         const double cost_if_below =
             cost_of(p_below, counts.below + counts.in_plane, p_above, counts.above);
@@ -71,7 +74,8 @@ private:
         const bool cuts_off_empty_space = count_below == 0.0 || count_above == 0.0;
         const double intersection =
             cuts_off_empty_space ? terms_.empty_intersection : terms_.intersection;
-        return terms_.traversal + intersection * (p_below * count_below + p_above * count_above);
+        return sah::scalar::split_cost(terms_.traversal, intersection, p_below, count_below,
+                                       p_above, count_above);
     }
 
     Axis axis_;

@@ -2,6 +2,7 @@
 
 #include "coppice/base/parallel.h"
 
+#include "builders/kernels/kd_kernels.h"
 #include "builders/split/evaluate_plane.h"
 
 #include <algorithm>
@@ -21,16 +22,17 @@ std::optional<BinGrid> bin_grid(const Aabb& box) noexcept {
     return grid;
 }
 
-NodeBins bin_node(std::span<const PrimRef> prim_refs, const BinGrid& grid) {
+NodeBins bin_node(std::span<const PrimRef> prim_refs, const BinGrid& grid, Isa isa) {
+    const KdKernels& kernels = kd_kernels_for(isa);
     constexpr std::size_t chunk_size = 32768;
     NodeBins sum;
     if (prim_refs.size() <= chunk_size) {
-        bin_ends(prim_refs, grid, sum);
+        kernels.bin_ends(prim_refs, grid, sum);
         return sum;
     }
     std::vector<NodeBins> chunks((prim_refs.size() + chunk_size - 1) / chunk_size);
     parallel_for_chunks(prim_refs.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
-        bin_ends(prim_refs.subspan(begin, end - begin), grid, chunks[begin / chunk_size]);
+        kernels.bin_ends(prim_refs.subspan(begin, end - begin), grid, chunks[begin / chunk_size]);
     });
     for (const NodeBins& chunk : chunks) {
         for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -15,7 +15,8 @@ namespace coppice::inline v0 {
 [[nodiscard]] std::optional<BinGrid> bin_grid(const Aabb& box) noexcept;
 
 /// The bins of a node, counted in parallel where there are many PrimRefs.
-[[nodiscard]] NodeBins bin_node(std::span<const PrimRef> prim_refs, const BinGrid& grid);
+[[nodiscard]] NodeBins bin_node(std::span<const PrimRef> prim_refs, const BinGrid& grid,
+                                Isa isa = Isa::scalar);
 
 /// The boundary before a bin of an axis.
 struct BinBoundary {

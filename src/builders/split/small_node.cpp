@@ -4,7 +4,7 @@
 
 #include "builders/split/small_node.h"
 
-#include "builders/kernels/plane_costs.h"
+#include "builders/kernels/kd_kernels.h"
 #include "builders/split/evaluate_plane.h"
 
 #include <array>
@@ -72,13 +72,13 @@ private:
 
 std::optional<SplitCandidate> find_in_small_node(const SplitQuery& query) noexcept {
     const NodeEnds ends(query.prim_refs);
-    const PlaneKernel find_best_plane = plane_kernel_for(query.isa);
+    const KdKernels& kernels = kd_kernels_for(query.isa);
     const double inverse_area = 1.0 / query.box.surface_area();
     BestPlane best{std::numeric_limits<double>::infinity(), 0.0F};
     Axis best_axis = Axis::x;
     for (const Axis axis : all_axes) {
         const PlaneEvaluator evaluator(query.box, axis, query.cost, inverse_area);
-        const BestPlane on_axis = find_best_plane(ends.on(axis), evaluator.terms());
+        const BestPlane on_axis = kernels.find_best_plane(ends.on(axis), evaluator.terms());
         if (on_axis.cost < best.cost) {
             best = on_axis;
             best_axis = axis;

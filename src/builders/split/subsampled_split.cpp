@@ -37,7 +37,7 @@ std::optional<SplitCandidate> SubsampledSplit::find(const SplitQuery& query) con
     if (!grid) return ExactSplit().find(query);
     const std::vector<PrimRef> part = subsample(query.prim_refs);
     const SplitQuery part_query{part, query.box, query.cost, query.acceptable_cost, query.isa};
-    const NodeBins bins = bin_node(part, *grid);
+    const NodeBins bins = bin_node(part, *grid, query.isa);
     const double weight = weight_of(part);
     std::optional<BinBoundary> best;
     for (const Axis axis : all_axes) {

@@ -36,8 +36,4 @@ struct MeshSearchKernels {
 /// The searches for an instruction set that this processor has.
 [[nodiscard]] const MeshSearchKernels& mesh_search_kernels_for(Isa isa) noexcept;
 
-/// Those of each set.
-[[nodiscard]] const MeshSearchKernels& scalar_mesh_search_kernels() noexcept;
-[[nodiscard]] const MeshSearchKernels& avx2_mesh_search_kernels() noexcept;
-
 }  // namespace coppice::inline v0

@@ -36,8 +36,4 @@ struct PointSearchKernels {
 /// The searches for an instruction set that this processor has.
 [[nodiscard]] const PointSearchKernels& point_search_kernels_for(Isa isa) noexcept;
 
-/// Those of each set.
-[[nodiscard]] const PointSearchKernels& scalar_point_search_kernels() noexcept;
-[[nodiscard]] const PointSearchKernels& avx2_point_search_kernels() noexcept;
-
 }  // namespace coppice::inline v0

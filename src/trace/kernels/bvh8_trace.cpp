@@ -1,5 +1,9 @@
 #include "trace/kernels/bvh8_trace.h"
 
+#define COPPICE_SIMD_KERNELS "trace/kernels/bvh8_trace_set.h"
+#define COPPICE_SIMD_SETS (COPPICE_SIMD_SSE42 + COPPICE_SIMD_AVX2 + COPPICE_SIMD_AVX512)
+#include "simd/foreach_set.h"
+
 namespace coppice::inline v0 {
 
 bool decide_alone(const TriangleBlock& block, std::size_t lane, const Ray& ray, float t_max,
@@ -11,13 +15,9 @@ bool decide_alone(const TriangleBlock& block, std::size_t lane, const Ray& ray, 
     return true;
 }
 
-const TraceKernels& trace_kernels_for([[maybe_unused]] Isa isa) noexcept {
-#if defined(__x86_64__)
-    if (isa == Isa::avx512) return avx512_trace_kernels();
-    if (isa == Isa::avx2) return avx2_trace_kernels();
-    if (isa == Isa::sse42) return sse42_trace_kernels();
-#endif
-    return scalar_trace_kernels();
+const TraceKernels& trace_kernels_for(Isa isa) noexcept {
+    static constexpr simd::Tables<TraceKernels> tables COPPICE_SIMD_TABLES;
+    return tables.at(isa);
 }
 
 }  // namespace coppice::inline v0

@@ -35,10 +35,4 @@ struct TraceKernels {
 /// The traversals for an instruction set that this processor has.
 [[nodiscard]] const TraceKernels& trace_kernels_for(Isa isa) noexcept;
 
-/// Those of each set.
-[[nodiscard]] const TraceKernels& scalar_trace_kernels() noexcept;
-[[nodiscard]] const TraceKernels& sse42_trace_kernels() noexcept;
-[[nodiscard]] const TraceKernels& avx2_trace_kernels() noexcept;
-[[nodiscard]] const TraceKernels& avx512_trace_kernels() noexcept;
-
 }  // namespace coppice::inline v0

@@ -1,5 +1,6 @@
 #include "builders/kernels/bin_ends.h"
 
+#include "builders/kernels/kd_kernels.h"
 #include "builders/prim_refs.h"
 
 #include <gtest/gtest.h>
@@ -22,8 +23,6 @@ TEST(BinEnds, CountsAllEnds_4) {
     for (const Layout layout : {Layout::random, Layout::grid, Layout::planar, Layout::points}) {
         auto prim_refs = make_prim_refs(layout, 300, random);
         prim_refs[3].weight = 5.0F;
-        NodeBins bins;
-        bin_ends(prim_refs, grid, bins);
         NodeBins expected;
         for (const PrimRef& prim_ref : prim_refs) {
             for (const Axis axis : all_axes) {
@@ -34,7 +33,11 @@ TEST(BinEnds, CountsAllEnds_4) {
                 axis_bins.add_end(bin_of(end, 0.0F, 32.0F), end, prim_ref.weight);
             }
         }
-        EXPECT_EQ(bins, expected);
+        for (const Isa isa : available_isas()) {
+            NodeBins bins;
+            kd_kernels_for(isa).bin_ends(prim_refs, grid, bins);
+            EXPECT_EQ(bins, expected) << name_of(isa);
+        }
     }
 }
 

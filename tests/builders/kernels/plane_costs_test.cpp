@@ -1,5 +1,6 @@
 #include "builders/kernels/plane_costs.h"
 
+#include "builders/kernels/kd_kernels.h"
 #include "builders/prim_refs.h"
 #include "builders/split/best_split.h"
 #include "builders/split/evaluate_plane.h"
@@ -52,7 +53,7 @@ TEST(FindBestPlane, EqualsTheScalarCode_3) {
             }
             const BestSplit expected = best_by_scalar_code(prim_refs, axis, model);
             for (const Isa isa : available_isas()) {
-                const BestPlane best = plane_kernel_for(isa)(ends, evaluator.terms());
+                const BestPlane best = kd_kernels_for(isa).find_best_plane(ends, evaluator.terms());
                 ASSERT_EQ(best.cost, expected.cost());
                 if (!expected.get()) continue;
                 EXPECT_EQ(best.position, expected.get()->plane.position);

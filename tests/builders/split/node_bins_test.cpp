@@ -1,5 +1,6 @@
 #include "builders/split/node_bins.h"
 
+#include "builders/kernels/kd_kernels.h"
 #include "builders/prim_refs.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ TEST(BinNode, IsTheSameInChunks_1) {
     const BinGrid grid = *bin_grid(unit_cube);
     const NodeBins in_chunks = bin_node(prim_refs, grid);
     NodeBins at_once;
-    bin_ends(prim_refs, grid, at_once);
+    kd_kernels_for(Isa::scalar).bin_ends(prim_refs, grid, at_once);
     EXPECT_EQ(in_chunks, at_once);
     EXPECT_EQ(weight_in(at_once[0]), 70'002.5);
 }
