@@ -1,6 +1,7 @@
 // Four doubles in a 256-bit register, by AVX2; a part of lanes_256.h.
 #pragma once
 
+#include "simd/registers_256.h"
 #include "simd/target.h"
 
 #if defined(__x86_64__)
@@ -13,32 +14,12 @@ COPPICE_TARGET_AVX2
 
 namespace coppice::inline v0::simd::wide256 {
 
-struct Doubles {
-    __m256d lane;
-};
-
 COPPICE_LANES void store(Doubles doubles, double* to) noexcept {
     _mm256_store_pd(to, doubles.lane);
 }
 
 COPPICE_LANES Doubles broadcast_double(double value) noexcept {
     return {_mm256_set1_pd(value)};
-}
-
-COPPICE_LANES Doubles operator+(Doubles a, Doubles b) noexcept {
-    return {_mm256_add_pd(a.lane, b.lane)};
-}
-
-COPPICE_LANES Doubles operator-(Doubles a, Doubles b) noexcept {
-    return {_mm256_sub_pd(a.lane, b.lane)};
-}
-
-COPPICE_LANES Doubles operator*(Doubles a, Doubles b) noexcept {
-    return {_mm256_mul_pd(a.lane, b.lane)};
-}
-
-COPPICE_LANES Doubles operator-(Doubles a) noexcept {
-    return {_mm256_xor_pd(_mm256_set1_pd(-0.0), a.lane)};
 }
 
 COPPICE_LANES Doubles max(Doubles a, Doubles b) noexcept {

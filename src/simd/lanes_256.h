@@ -3,6 +3,7 @@
 #pragma once
 
 #include "simd/doubles_256.h"
+#include "simd/registers_256.h"
 #include "simd/target.h"
 
 #if defined(__x86_64__)
@@ -16,10 +17,6 @@
 COPPICE_TARGET_AVX2
 
 namespace coppice::inline v0::simd::wide256 {
-
-struct Lanes {
-    __m256 lane;
-};
 
 COPPICE_LANES Lanes load(const std::array<float, 8>& from) noexcept {
     return {_mm256_load_ps(from.data())};
@@ -39,18 +36,6 @@ COPPICE_LANES void store_unaligned(Lanes lanes, float* to) noexcept {
 
 COPPICE_LANES Lanes broadcast(float value) noexcept {
     return {_mm256_set1_ps(value)};
-}
-
-COPPICE_LANES Lanes operator+(Lanes a, Lanes b) noexcept {
-    return {_mm256_add_ps(a.lane, b.lane)};
-}
-
-COPPICE_LANES Lanes operator-(Lanes a, Lanes b) noexcept {
-    return {_mm256_sub_ps(a.lane, b.lane)};
-}
-
-COPPICE_LANES Lanes operator*(Lanes a, Lanes b) noexcept {
-    return {_mm256_mul_ps(a.lane, b.lane)};
 }
 
 COPPICE_LANES Lanes operator/(Lanes a, Lanes b) noexcept {
@@ -112,10 +97,6 @@ COPPICE_LANES Lanes choose(bool is_first, Lanes first, Lanes second) noexcept {
     return {_mm256_blendv_ps(second.lane, first.lane, _mm256_castsi256_ps(mask))};
 }
 
-struct Quad {
-    __m128 lane;
-};
-
 COPPICE_LANES Quad make_quad(float a, float b, float c, float d) noexcept {
     return {_mm_setr_ps(a, b, c, d)};
 }
@@ -134,22 +115,6 @@ COPPICE_LANES Quad upper_half(Lanes a) noexcept {
 
 COPPICE_LANES Lanes join(Quad lower, Quad upper) noexcept {
     return {_mm256_set_m128(upper.lane, lower.lane)};
-}
-
-COPPICE_LANES Quad operator+(Quad a, Quad b) noexcept {
-    return {_mm_add_ps(a.lane, b.lane)};
-}
-
-COPPICE_LANES Quad operator-(Quad a, Quad b) noexcept {
-    return {_mm_sub_ps(a.lane, b.lane)};
-}
-
-COPPICE_LANES Quad operator*(Quad a, Quad b) noexcept {
-    return {_mm_mul_ps(a.lane, b.lane)};
-}
-
-COPPICE_LANES Quad operator-(Quad a) noexcept {
-    return {_mm_xor_ps(a.lane, _mm_set1_ps(-0.0F))};
 }
 
 COPPICE_LANES Quad min(Quad a, Quad b) noexcept {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "simd/doubles_scalar.h"
+#include "simd/registers_scalar.h"
 #include "simd/target.h"
 
 #include <array>
@@ -10,11 +11,6 @@
 #include <cstdint>
 
 namespace coppice::inline v0::simd::scalar {
-
-/// Eight floats.
-struct Lanes {
-    std::array<float, 8> lane;
-};
 
 /// From and to an array aligned to 32 bytes.
 COPPICE_LANES Lanes load(const std::array<float, 8>& from) noexcept {
@@ -40,18 +36,6 @@ COPPICE_LANES Lanes broadcast(float value) noexcept {
     return {{value, value, value, value, value, value, value, value}};
 }
 
-COPPICE_LANES Lanes operator+(const Lanes& a, const Lanes& b) noexcept {
-    return each(a, b, [](float x, float y) { return x + y; });
-}
-
-COPPICE_LANES Lanes operator-(const Lanes& a, const Lanes& b) noexcept {
-    return each(a, b, [](float x, float y) { return x - y; });
-}
-
-COPPICE_LANES Lanes operator*(const Lanes& a, const Lanes& b) noexcept {
-    return each(a, b, [](float x, float y) { return x * y; });
-}
-
 COPPICE_LANES Lanes operator/(const Lanes& a, const Lanes& b) noexcept {
     return each(a, b, [](float x, float y) { return x / y; });
 }
@@ -66,19 +50,6 @@ COPPICE_LANES Lanes subtract_product(const Lanes& a, const Lanes& b, const Lanes
     return a - b * c;
 }
 
-/// The second argument where one is NaN.
-COPPICE_LANES Lanes min(const Lanes& a, const Lanes& b) noexcept {
-    return each(a, b, [](float x, float y) { return x < y ? x : y; });
-}
-
-COPPICE_LANES Lanes max(const Lanes& a, const Lanes& b) noexcept {
-    return each(a, b, [](float x, float y) { return x > y ? x : y; });
-}
-
-COPPICE_LANES Lanes abs(const Lanes& a) noexcept {
-    return each(a, a, [](float x, float /*same*/) { return std::abs(x); });
-}
-
 /// The larger of two without their signs. Of a NaN the other may be left, or NaN.
 COPPICE_LANES Lanes larger_size(const Lanes& a, const Lanes& b) noexcept {
     return max(abs(a), abs(b));
@@ -89,11 +60,6 @@ COPPICE_LANES Lanes truncate(const Lanes& a) noexcept {
     return each(a, a, [](float x, float /*same*/) {
         return static_cast<float>(static_cast<std::int32_t>(x));
     });
-}
-
-/// A bit for every lane in which a <= b.
-COPPICE_LANES unsigned less_equal(const Lanes& a, const Lanes& b) noexcept {
-    return bits_where(a, b, [](float x, float y) { return x <= y; });
 }
 
 /// The same for a < b.
@@ -151,11 +117,6 @@ COPPICE_LANES std::array<Lanes, 3> load_points(const std::array<const float*, 8>
     return axes;
 }
 
-/// Four floats: half of the lanes.
-struct Quad {
-    std::array<float, 4> lane;
-};
-
 COPPICE_LANES Quad make_quad(float a, float b, float c, float d) noexcept {
     return {{a, b, c, d}};
 }
@@ -176,26 +137,6 @@ COPPICE_LANES Quad upper_half(const Lanes& a) noexcept {
 COPPICE_LANES Lanes join(const Quad& lower, const Quad& upper) noexcept {
     return {{lower.lane[0], lower.lane[1], lower.lane[2], lower.lane[3], upper.lane[0],
              upper.lane[1], upper.lane[2], upper.lane[3]}};
-}
-
-COPPICE_LANES Quad operator+(const Quad& a, const Quad& b) noexcept {
-    return each(a, b, [](float x, float y) { return x + y; });
-}
-
-COPPICE_LANES Quad operator-(const Quad& a, const Quad& b) noexcept {
-    return each(a, b, [](float x, float y) { return x - y; });
-}
-
-COPPICE_LANES Quad operator*(const Quad& a, const Quad& b) noexcept {
-    return each(a, b, [](float x, float y) { return x * y; });
-}
-
-COPPICE_LANES Quad operator-(const Quad& a) noexcept {
-    return each(a, a, [](float x, float /*same*/) { return -x; });
-}
-
-COPPICE_LANES Quad min(const Quad& a, const Quad& b) noexcept {
-    return each(a, b, [](float x, float y) { return x < y ? x : y; });
 }
 
 /// A bit for every lane in which a >= b.
@@ -222,38 +163,12 @@ COPPICE_LANES std::array<std::uint32_t, 3> to_integers(const Quad& a) noexcept {
     return integers;
 }
 
-/// What a comparison of lanes gives: all bits of a lane, or none.
-struct Mask {
-    std::array<std::uint32_t, 8> lane;
-};
-
-template <typename Comparison>
-COPPICE_LANES Mask compare(const Lanes& a, const Lanes& b, const Comparison& holds) noexcept {
-    Mask mask;
-    for (std::size_t i = 0; i < 8; ++i) {
-        mask.lane[i] = holds(a.lane[i], b.lane[i]) ? ~0U : 0U;
-    }
-    return mask;
-}
-
 COPPICE_LANES Mask is_less(const Lanes& a, const Lanes& b) noexcept {
-    return compare(a, b, [](float x, float y) { return x < y; });
+    return mask_where<Mask>(a, b, [](float x, float y) { return x < y; });
 }
 
 COPPICE_LANES Mask is_equal(const Lanes& a, const Lanes& b) noexcept {
-    return compare(a, b, [](float x, float y) { return x == y; });
-}
-
-COPPICE_LANES Mask operator&(const Mask& a, const Mask& b) noexcept {
-    return each(a, b, [](auto x, auto y) { return x & y; });
-}
-
-/// The first where the mask is set, else the second.
-COPPICE_LANES Lanes select(const Mask& mask, Lanes first, const Lanes& second) noexcept {
-    for (std::size_t i = 0; i < 8; ++i) {
-        first.lane[i] = mask.lane[i] != 0 ? first.lane[i] : second.lane[i];
-    }
-    return first;
+    return mask_where<Mask>(a, b, [](float x, float y) { return x == y; });
 }
 
 /// 0 where the mask is not set.

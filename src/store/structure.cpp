@@ -1,6 +1,6 @@
-// Nodes are checked as validate() checks them (tree/shape.h); references and blocks in parallel, since
-// there are many. Lanes that hold nothing are as traversals rely on: they come last, and no ray hits
-// their corners.
+// Nodes are checked as validate() checks them (tree/shape.h); references and blocks in parallel,
+// since there are many. Lanes that hold nothing are as traversals rely on: they come last, and no
+// ray hits their corners.
 
 #include "store/structure.h"
 

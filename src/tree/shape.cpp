@@ -49,8 +49,9 @@ public:
     void add_leaf(std::size_t node, std::uint64_t first, std::uint64_t count,
                   std::uint64_t item_count, std::string_view items) {
         if (first + count <= item_count) return;
-        issues_.report(ValidationIssueKind::bad_range, node, "a leaf of node {} has {} {} to {} of {}",
-                       node, items, first, first + count, item_count);
+        issues_.report(ValidationIssueKind::bad_range, node,
+                       "a leaf of node {} has {} {} to {} of {}", node, items, first, first + count,
+                       item_count);
     }
 
 private:

@@ -66,7 +66,8 @@ public:
     }
 
 private:
-    // Every leaf has a range of its own, of existing, ascending ids, and the ranges cover the array.
+    // Every leaf has a range of its own, of existing, ascending ids, and the ranges cover the
+    // array.
     bool check_references() {
         const std::size_t count = tree_.references().size();
         std::vector<bool> is_owned(count, false);

@@ -1,7 +1,7 @@
-// Checks an 8-wide tree in two steps: its shape, then its contents: boxes are nested, every block is in
-// one leaf and holds the corners of existing triangles, and the points by which a
-// triangle is known (corners, middles of edges) lie in the boxes of leaves that refer to it. Points
-// and not boxes, because a leaf may be meant for a part of a triangle only.
+// Checks an 8-wide tree in two steps: its shape, then its contents: boxes are nested, every block
+// is in one leaf and holds the corners of existing triangles, and the points by which a triangle is
+// known (corners, middles of edges) lie in the boxes of leaves that refer to it. Points and not
+// boxes, because a leaf may be meant for a part of a triangle only.
 
 #include "coppice/tree/validate.h"
 

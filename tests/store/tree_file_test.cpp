@@ -261,7 +261,8 @@ TEST(TreeFile, AForgedKdTreeCannotLeadOutOfItsArrays) {
     const std::string start = "tree.cpk: not a sound tree: ";
     EXPECT_EQ(error_with_root(KdNode::make_inner({}, PlanarSide::below, count - 1)),
               start + "node 0 has the child " + std::to_string(count - 1) + " of " +
-                  std::to_string(count) + " nodes: out of range, not after its parent, or already used by another node");
+                  std::to_string(count) +
+                  " nodes: out of range, not after its parent, or already used by another node");
     EXPECT_NE(error_with_root(KdNode::make_inner({}, PlanarSide::below, 0)), "");
     EXPECT_NE(error_with_root(KdNode::make_inner({}, PlanarSide::below, 3)), "");
     EXPECT_NE(error_with_root(KdNode::make_leaf(0, KdNode::max_payload)), "");
@@ -300,7 +301,8 @@ TEST(TreeFile, AForgedBvh8CannotLeadOutOfItsArrays) {
     };
     EXPECT_EQ(error_with_child(Bvh8Child::make_inner(count)),
               "tree.cpk: not a sound tree: node 0 has the child " + std::to_string(count) + " of " +
-                  std::to_string(count) + " nodes: out of range, not after its parent, or already used by another node");
+                  std::to_string(count) +
+                  " nodes: out of range, not after its parent, or already used by another node");
     EXPECT_NE(error_with_child(Bvh8Child::make_inner(0)), "");
     EXPECT_NE(error_with_child(Bvh8Child::make_inner(count - 1)), "");
     EXPECT_NE(error_with_child(

@@ -105,25 +105,25 @@ inline float reach_of(const Aabb& box) noexcept {
                      larger(box.lower.z, box.upper.z)});
 }
 
-constexpr float quick_reach = 0x1.0p60F;
+constexpr float fast_reach = 0x1.0p60F;
 
 // Whether products with the ray's origin and inverse direction, and with the bounds of all boxes,
 // neither overflow nor are NaN, and nothing behind the origin matters. Such a ray is_traceable().
 // All numbers of the ray at once: a branch for each would cost 7 ns a ray.
-inline bool is_quick(const Ray& ray, const Aabb& bounds) noexcept {
+inline bool is_fast(const Ray& ray, const Aabb& bounds) noexcept {
     constexpr unsigned of_origin = 0b000111;
     constexpr unsigned of_direction = 0b111000;
     alignas(32) const auto numbers = std::bit_cast<std::array<float, 8>>(ray);
     const Lanes sizes = abs(load(numbers));
-    const unsigned near = less_equal(sizes, broadcast(quick_reach));
-    const unsigned plain = less_equal(broadcast(1.0F / quick_reach), sizes);
+    const unsigned near = less_equal(sizes, broadcast(fast_reach));
+    const unsigned plain = less_equal(broadcast(1.0F / fast_reach), sizes);
     const float reach = reach_of(bounds);
     return (near & (of_origin | of_direction)) == (of_origin | of_direction) &&
            (plain & of_direction) == of_direction && ray.t_min >= 0.0F && ray.t_min <= ray.t_max &&
-           reach <= quick_reach;
+           reach <= fast_reach;
 }
 
-// Of rays that pass is_quick() in a tree's bounds, all lanes the same or each a ray of its own.
+// Of rays that pass is_fast() in a tree's bounds, all lanes the same or each a ray of its own.
 // Never meets an empty child: its bounds are infinite the wrong way round.
 struct FastRay {
     static constexpr bool never_meets_empty = true;

@@ -62,11 +62,12 @@ inline bool show(const TriangleBlock& block, const ShearedRay& ray, Query& query
 }
 
 // Whether anything is hit.
-class AnyHit {
+class AnyHitQuery {
 public:
     static constexpr bool nearest_first = false;
 
-    AnyHit(const Ray& ray, const ShearedRay& sheared) noexcept : ray_(ray), sheared_(sheared) {}
+    AnyHitQuery(const Ray& ray, const ShearedRay& sheared) noexcept
+        : ray_(ray), sheared_(sheared) {}
 
     [[nodiscard]] float first() const noexcept { return first_of(ray_.t_min); }
 
@@ -98,11 +99,11 @@ private:
 // The closest hit. A triangle that single precision finds hit for sure is kept as it is while what
 // comes after is certainly nearer or farther; only the closest is measured in double precision at
 // the end, and before that only what single precision cannot tell apart.
-class ClosestHit {
+class ClosestHitQuery {
 public:
     static constexpr bool nearest_first = true;
 
-    ClosestHit(const Ray& ray, const ShearedRay& sheared) noexcept
+    ClosestHitQuery(const Ray& ray, const ShearedRay& sheared) noexcept
         : ray_(ray), sheared_(sheared), first_(ray.t_max), last_(ray.t_max) {}
 
     [[nodiscard]] float first() const noexcept { return first_of(ray_.t_min); }
@@ -161,12 +162,12 @@ private:
 };
 
 // The first hits after a given one, in order of t and then of id, each once.
-class FirstHits {
+class FirstKHitsQuery {
 public:
     static constexpr bool nearest_first = true;
 
-    FirstHits(const Ray& ray, const ShearedRay& sheared, std::span<Hit> hits,
-              const Hit* after) noexcept
+    FirstKHitsQuery(const Ray& ray, const ShearedRay& sheared, std::span<Hit> hits,
+                    const Hit* after) noexcept
         : ray_(ray), sheared_(sheared), list_(hits, after) {}
 
     [[nodiscard]] float first() const noexcept {

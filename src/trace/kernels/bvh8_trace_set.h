@@ -34,7 +34,7 @@ using namespace simd::COPPICE_SIMD_SET;
 template <typename Counter>
 bool find_closest(const Bvh8& tree, const Ray& ray, Hit& hit, Counter counter) noexcept {
     const ShearedRay sheared(ray);
-    ClosestHit query(ray, sheared);
+    ClosestHitQuery query(ray, sheared);
     search(tree, ray, sheared, query, counter);
     return query.finish(hit);
 }
@@ -42,7 +42,7 @@ bool find_closest(const Bvh8& tree, const Ray& ray, Hit& hit, Counter counter) n
 template <typename Counter>
 bool find_any(const Bvh8& tree, const Ray& ray, Counter counter) noexcept {
     const ShearedRay sheared(ray);
-    AnyHit query(ray, sheared);
+    AnyHitQuery query(ray, sheared);
     search(tree, ray, sheared, query, counter);
     return query.is_hit();
 }
@@ -54,9 +54,9 @@ constexpr TraceKernels kernels{
               const Ray& ray) noexcept { return find_any(tree, ray, NoCounts{}); },
     .closest_of_each =
         [](const Bvh8& tree, std::span<const Ray> rays, std::span<Hit> hits) noexcept {
-            trace_in_groups<ClosestHit>(
+            trace_in_packets<ClosestHitQuery>(
                 tree, rays,
-                [&](std::size_t i, ClosestHit& query) {
+                [&](std::size_t i, ClosestHitQuery& query) {
                     if (!query.finish(hits[i])) hits[i] = Hit{};
                 },
                 [&](std::size_t i) {
@@ -66,9 +66,9 @@ constexpr TraceKernels kernels{
     .any_of_each =
         [](const Bvh8& tree, std::span<const Ray> rays,
            std::span<std::uint8_t> is_occluded) noexcept {
-            trace_in_groups<AnyHit>(
+            trace_in_packets<AnyHitQuery>(
                 tree, rays,
-                [&](std::size_t i, const AnyHit& query) {
+                [&](std::size_t i, const AnyHitQuery& query) {
                     is_occluded[i] = query.is_hit() ? 1 : 0;
                 },
                 [&](std::size_t i) {
@@ -79,7 +79,7 @@ constexpr TraceKernels kernels{
                 const Hit* after) noexcept -> std::size_t {
         if (hits.empty()) return 0;
         const ShearedRay sheared(ray);
-        FirstHits query(ray, sheared, hits, after);
+        FirstKHitsQuery query(ray, sheared, hits, after);
         search(tree, ray, sheared, query, NoCounts{});
         return query.count();
     },

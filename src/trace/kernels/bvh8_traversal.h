@@ -217,12 +217,12 @@ private:
 template <typename Query, typename Counter>
 void search(const Bvh8& tree, const Ray& ray, const ShearedRay& sheared, Query& query,
             Counter counter) noexcept {
-    if (is_quick(ray, tree.bounds())) {
-        const FastRay quick(ray);
-        Traversal(tree, quick, sheared, query, counter).run();
+    if (is_fast(ray, tree.bounds())) {
+        const FastRay fast(ray);
+        Traversal(tree, fast, sheared, query, counter).run();
     } else if (is_traceable(ray)) {
-        const RobustRay careful(ray, tree.bounds());
-        Traversal(tree, careful, sheared, query, counter).run();
+        const RobustRay robust(ray, tree.bounds());
+        Traversal(tree, robust, sheared, query, counter).run();
     }
 }
 

@@ -1,7 +1,7 @@
 // How a ray packet goes through the 8-wide tree.
 //
 // At a node all boxes are cut first by the frustum, which is as wide as the eight rays, and then
-// each box that it meets by the eight rays at once; the group goes on to these boxes with the rays
+// each box that it meets by the eight rays at once; the packet goes on to these boxes with the rays
 // that meet them. Fewer than three rays go on alone. At a leaf each ray's own query is asked, so
 // hits are those of single rays.
 
@@ -43,8 +43,8 @@ using namespace simd::COPPICE_SIMD_SET;
 template <typename Query>
 class PacketTraversal {
 public:
-    PacketTraversal(const Bvh8& tree, const Group& group) noexcept
-        : PacketTraversal(tree, group, std::make_index_sequence<packet_size>{}) {}
+    PacketTraversal(const Bvh8& tree, const RayPacket& packet) noexcept
+        : PacketTraversal(tree, packet, std::make_index_sequence<packet_size>{}) {}
 
     void run() noexcept {
         Bvh8Child at = Bvh8Child::make_inner(0);
@@ -79,9 +79,9 @@ private:
     };
 
     template <std::size_t... I>
-    PacketTraversal(const Bvh8& tree, const Group& group,
+    PacketTraversal(const Bvh8& tree, const RayPacket& packet,
                     std::index_sequence<I...> /*indices*/) noexcept
-        : tree_(tree), group_(group), members_{Member(group.rays[I])...} {
+        : tree_(tree), packet_(packet), members_{Member(packet.rays[I])...} {
         for (std::size_t i = 0; i < packet_size; ++i) {
             enter_[i] = members_[i].query.first();
             exit_[i] = members_[i].query.limit();
@@ -104,7 +104,7 @@ private:
 
     // Goes on to one of the children that any ray meets, as Traversal does; false if there is none.
     bool step_down(const Bvh8Node& node, Bvh8Child& at, unsigned& rays) noexcept {
-        const BoxHits met = group_.frustum.meet(node, broadcast(first_), broadcast(limit_));
+        const BoxHits met = packet_.frustum.meet(node, broadcast(first_), broadcast(limit_));
         if (met.mask == 0) return false;
         alignas(32) std::array<float, bvh8_width> enter;
         store(met.enter, enter);
@@ -113,7 +113,7 @@ private:
         const Entry* const base = top_;
         for (unsigned rest = met.mask; rest != 0; rest &= rest - 1) {
             const auto slot = static_cast<std::size_t>(std::countr_zero(rest));
-            const unsigned meeting = rays & group_.each.meet_child(node, slot, first, last);
+            const unsigned meeting = rays & packet_.each.meet_child(node, slot, first, last);
             if (meeting != 0) push({enter[slot], node.child[slot], meeting}, base);
         }
         if (top_ == base) return false;
@@ -150,9 +150,9 @@ private:
     void go_alone(Bvh8Child at, unsigned rays) noexcept {
         for (; rays != 0; rays &= rays - 1) {
             const auto i = static_cast<std::size_t>(std::countr_zero(rays));
-            const FastRay quick = group_.ray(i);
+            const FastRay fast = packet_.ray(i);
             Member& member = members_[i];
-            Traversal alone(tree_, quick, member.sheared, member.query, NoCounts{});
+            Traversal alone(tree_, fast, member.sheared, member.query, NoCounts{});
             if (alone.run(at)) alive_ &= ~(1U << i);
             exit_[i] = member.query.limit();
         }
@@ -160,7 +160,7 @@ private:
     }
 
     const Bvh8& tree_;
-    const Group& group_;
+    const RayPacket& packet_;
     std::array<Member, packet_size> members_;
     alignas(32) OfRays enter_;
     alignas(32) OfRays exit_;
@@ -171,15 +171,15 @@ private:
     Entry* top_ = stack_.data();
 };
 
-// Traces arrays of rays: calls done(i, query) for each that was in a group, else alone(i).
+// Traces arrays of rays: calls done(i, query) for each that was in a packet, else alone(i).
 template <typename Query, typename Done, typename Alone>
-void trace_in_groups(const Bvh8& tree, std::span<const Ray> rays, Done&& done,
-                     Alone&& alone) noexcept {
+void trace_in_packets(const Bvh8& tree, std::span<const Ray> rays, Done&& done,
+                      Alone&& alone) noexcept {
     std::size_t i = 0;
     for (; i + packet_size <= rays.size(); i += packet_size) {
-        Group group(rays.subspan(i).template first<packet_size>());
-        if (group.gather(tree.bounds())) {
-            PacketTraversal<Query> traversal(tree, group);
+        RayPacket packet(rays.subspan(i).template first<packet_size>());
+        if (packet.gather(tree.bounds())) {
+            PacketTraversal<Query> traversal(tree, packet);
             traversal.run();
             for (std::size_t k = 0; k < packet_size; ++k) {
                 done(i + k, traversal.query(k));

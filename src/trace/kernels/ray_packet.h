@@ -35,13 +35,13 @@ constexpr std::size_t packet_size = 8;
 
 using OfRays = std::array<float, packet_size>;  // a number of each
 
-// Eight rays, all quick and with directions of the same signs, and the frustum of all of them.
-struct Group {
+// Eight rays, all fast and with directions of the same signs, and the frustum of all of them.
+struct RayPacket {
     // To be gathered.
-    explicit Group(std::span<const Ray, packet_size> eight) noexcept
+    explicit RayPacket(std::span<const Ray, packet_size> eight) noexcept
         : rays(eight), each(eight.front().direction), frustum(eight.front().direction) {}
 
-    // False if the rays are no such group.
+    // False if the rays are no such packet.
     bool gather(const Aabb& bounds) noexcept {
         if (!have_same_signs()) return false;
         alignas(32) std::array<OfRays, 8> rows;  // origin, direction, t_min, t_max
@@ -51,7 +51,7 @@ struct Group {
                 rows[k][i] = numbers[k];
             }
         }
-        if (reach_of(bounds) > quick_reach || !are_quick(rows) || !are_close(rows)) return false;
+        if (reach_of(bounds) > fast_reach || !are_fast(rows) || !are_close(rows)) return false;
         set_axis(&Lanes3::x, rows[0], rows[3]);
         set_axis(&Lanes3::y, rows[1], rows[4]);
         set_axis(&Lanes3::z, rows[2], rows[5]);
@@ -88,17 +88,17 @@ private:
         return true;
     }
 
-    // See is_quick().
-    static bool are_quick(const std::array<OfRays, 8>& rows) noexcept {
-        unsigned quick =
+    // See is_fast().
+    static bool are_fast(const std::array<OfRays, 8>& rows) noexcept {
+        unsigned fast =
             less_equal(broadcast(0.0F), load(rows[6])) & less_equal(load(rows[6]), load(rows[7]));
         for (std::size_t k = 0; k < 6; ++k) {
-            quick &= less_equal(abs(load(rows[k])), broadcast(quick_reach));
+            fast &= less_equal(abs(load(rows[k])), broadcast(fast_reach));
         }
         for (std::size_t k = 3; k < 6; ++k) {
-            quick &= less_equal(broadcast(1.0F / quick_reach), abs(load(rows[k])));
+            fast &= less_equal(broadcast(1.0F / fast_reach), abs(load(rows[k])));
         }
-        return quick == 0xffU;
+        return fast == 0xffU;
     }
 
     // Whether no direction is more than 14 degrees off the first: others part soon.
