@@ -32,6 +32,15 @@ struct Part {
         std::unique_ptr<Part> part;
     };
 
+    /// See Placement.
+    [[nodiscard]] std::size_t own_node_count() const noexcept { return nodes.size(); }
+
+    [[nodiscard]] std::size_t own_item_count() const noexcept { return block_count; }
+
+    [[nodiscard]] std::size_t link_count() const noexcept { return links.size(); }
+
+    [[nodiscard]] Part& link(std::size_t at) const noexcept { return *links[at].part; }
+
     std::vector<Bvh8Node> nodes;
     std::vector<Leaf> leaves;
     std::vector<Link> links;

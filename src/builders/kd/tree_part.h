@@ -4,6 +4,7 @@
 #include "coppice/base/parallel.h"
 
 #include "builders/kd/subtree.h"
+#include "builders/stitch.h"
 
 #include <cstddef>
 #include <memory>
@@ -27,14 +28,17 @@ public:
     /// Both parts under an inner node.
     TreePart(SplitPlane plane, PlanarSide planar_side, TreePart&& lower, TreePart&& upper);
 
-    /// Nodes of the part, its root included.
-    [[nodiscard]] std::uint64_t node_count() const noexcept;
+    /// See Placement: an inner node above two parts, or a piece.
+    [[nodiscard]] std::size_t own_node_count() const noexcept;
+    [[nodiscard]] std::size_t own_item_count() const noexcept;
+    [[nodiscard]] std::size_t link_count() const noexcept;
+    [[nodiscard]] TreePart& link(std::size_t side) const noexcept;
 
-    [[nodiscard]] std::uint64_t reference_count() const noexcept;
+    /// Moves its own nodes and references to their place.
+    void move_to(Subtree& whole, const PartPlace& place);
 
 private:
     struct Joint;
-    friend class Assembly;
 
     Subtree piece_;
     MeteredBytes bytes_;  // of the piece

@@ -38,12 +38,6 @@ TEST(TreePart, IsAnEmptyLeafAtFirst) {
     EXPECT_TRUE(whole.references.empty());
 }
 
-TEST(TreePart, CountsWhatItHolds) {
-    const TreePart part(split_plane, PlanarSide::below, pair_of(1), leaf_of({7}));
-    EXPECT_EQ(part.node_count(), 5U);
-    EXPECT_EQ(part.reference_count(), 3U);
-}
-
 TEST(Assemble, PutsPiecesInOrder) {
     const SplitPlane root{Axis::x, 1.0F};
     const Subtree whole =
