@@ -55,8 +55,8 @@ private:
     void fill_cells(std::uint32_t index, std::vector<PrimRef> prim_refs,
                     std::vector<std::uint32_t>& references) {
         constexpr int level_count = 10;
-        const TopTree top_tree(nodes_, {index, {}, 0}, level_count,
-                               [](std::uint32_t) { return false; });
+        const KdTopTree top_tree(nodes_, {index, {}, 0}, level_count,
+                                 [](std::uint32_t) { return false; });
         auto of_cells = top_tree.distribute(std::move(prim_refs), division_);
         std::vector<std::vector<std::uint32_t>> parts(of_cells.size());
         std::vector<MeteredBytes> part_bytes(of_cells.size());

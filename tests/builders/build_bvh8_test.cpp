@@ -8,7 +8,7 @@
 #include "coppice/trace/brute_force.h"
 #include "coppice/trace/bvh8_tracer.h"
 
-#include "builders/bvh8/top_tree.h"
+#include "builders/bvh8/cells.h"
 #include "support/effort.h"
 #include "support/isa.h"
 #include "support/meshes.h"

@@ -35,8 +35,8 @@ struct Run {
     Progress* progress;
 };
 
-bvh8::TopTree build_top(std::span<const PrimRef> prim_refs, const Sample& sample,
-                        std::uint32_t cell_size, const bvh8::Kernels& kernels) {
+bvh8::ObjectTop build_top(std::span<const PrimRef> prim_refs, const Sample& sample,
+                          std::uint32_t cell_size, const bvh8::Kernels& kernels) {
     std::vector<PrimRef> sampled(sample.ids.size());
     for (std::size_t at = 0; at < sampled.size(); ++at) {
         sampled[at] = prim_refs[sample.ids[at]];
@@ -67,10 +67,11 @@ bvh8::Cells make_object_cells(TriangleMeshView mesh, const bvh8::Plan& plan, Run
     run.report.sample_count = static_cast<std::uint32_t>(sample.ids.size());
     run.report.stages.sample = run.clock.lap(sample.ids.size());
     begin_stage(run.progress, 0.01);
-    cells.top = build_top(prim_refs, sample, plan.cell_size, run.kernels);
-    run.report.stages.build = run.clock.lap(cells.top.nodes.size());
+    bvh8::ObjectTop top = build_top(prim_refs, sample, plan.cell_size, run.kernels);
+    run.report.stages.build = run.clock.lap(top.tree.nodes().size());
     begin_stage(run.progress, 0.07);
-    cells.ranges = bvh8::fill_cells(cells.top, prim_refs, cells.buffers.second());
+    cells.ranges = bvh8::fill_cells(top, prim_refs, cells.buffers.second());
+    cells.top = std::move(top.tree);
     run.report.stages.refill = run.clock.lap(count);
     return cells;
 }

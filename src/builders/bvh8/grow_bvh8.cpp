@@ -75,10 +75,10 @@ public:
           splitter_(splitter),
           spatial_(spatial),
           ids_(ids),
-          ranges_(top.nodes.size()),
+          ranges_(top.nodes().size()),
           progress_(progress) {
-        for (std::size_t node = top.nodes.size(); node-- > 0;) {
-            ranges_[node] = range_of(top.nodes[node], cells);
+        for (std::size_t node = top.nodes().size(); node-- > 0;) {
+            ranges_[node] = range_of(top.nodes()[node], cells);
         }
     }
 
@@ -113,8 +113,8 @@ private:
     };
 
     // A cell's range; of an inner node the box of both children and the sum of their sizes.
-    [[nodiscard]] Range range_of(const TopNode& node, std::span<const Range> cells) const {
-        if (node.axis == TopNode::is_cell) return cells[node.index];
+    [[nodiscard]] Range range_of(const TopTree::Node& node, std::span<const Range> cells) const {
+        if (node.is_cell) return cells[node.index];
         Range range = ranges_[node.index];
         const Range& upper = ranges_[node.index + 1];
         range.end = range.begin + range.size() + upper.size();
@@ -123,7 +123,7 @@ private:
     }
 
     [[nodiscard]] Item make_item(std::uint32_t node) const {
-        const bool is_cell = top_.nodes[node].axis == TopNode::is_cell;
+        const bool is_cell = top_.nodes()[node].is_cell;
         return make_item(ranges_[node], is_cell ? not_top : node);
     }
 
@@ -136,7 +136,7 @@ private:
         Item opened = children.item[at];
         std::swap(children.item[at], children.item[--children.count]);
         if (!opened.is_range()) {
-            const std::uint32_t lower = top_.nodes[opened.top].index;
+            const std::uint32_t lower = top_.nodes()[opened.top].index;
             children.add(make_item(lower));
             children.add(make_item(lower + 1));
             return;

@@ -4,9 +4,9 @@
 #include "coppice/geom/triangle_mesh.h"
 #include "coppice/tree/bvh8.h"
 
+#include "builders/bvh8/cells.h"
 #include "builders/bvh8/double_buffer.h"
 #include "builders/bvh8/splitter.h"
-#include "builders/bvh8/top_tree.h"
 
 #include <cstdint>
 #include <memory>

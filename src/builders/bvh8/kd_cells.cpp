@@ -1,14 +1,14 @@
 // Cells by planes: a k-d tree over the sample is the top, and its leaves are the cells. All
 // triangles go down it at once. One that a plane cuts is in both cells with the part of its box
 // that it has there, so that cells do not overlap: nearly what spatial splits give, for a pass over
-// the triangles. Cost: that of coppice::TopTree::distribute(). Source: [Stich2009] (PrimRefs cut by
+// the triangles. Cost: that of KdTopTree::distribute(). Source: [Stich2009] (PrimRefs cut by
 // planes above an object hierarchy).
 
 #include "coppice/base/parallel.h"
 
 #include "base/free_memory.h"
+#include "builders/bvh8/cells.h"
 #include "builders/bvh8/make_prim_refs.h"
-#include "builders/bvh8/top_tree.h"
 #include "builders/kd/subtree.h"
 #include "builders/kd/top_tree.h"
 
@@ -29,8 +29,8 @@ std::vector<Range> make_ranges(std::span<const std::size_t> sizes) {
 
 Cells make_cells(const Skeleton& skeleton, TriangleMeshView mesh, MemoryMeter& meter) {
     constexpr int all_levels = 64;
-    const coppice::TopTree top_tree(skeleton.nodes(), {0, skeleton.bounds(), 0}, all_levels,
-                                    [](std::uint32_t) { return false; });
+    const KdTopTree top_tree(skeleton.nodes(), {0, skeleton.bounds(), 0}, all_levels,
+                             [](std::uint32_t) { return false; });
     auto of_cells = top_tree.distribute(whole_prim_refs(mesh), {mesh, Clipping::perfect, &meter});
     std::vector<MeteredBytes> bytes;
     std::vector<std::size_t> sizes;
@@ -40,15 +40,7 @@ Cells make_cells(const Skeleton& skeleton, TriangleMeshView mesh, MemoryMeter& m
     }
     std::vector<Range> ranges = make_ranges(sizes);
     DoubleBuffer buffers(ranges.empty() ? 0 : ranges.back().end, meter);
-    Cells made{{}, std::move(buffers), std::move(ranges)};
-    made.top.nodes.clear();
-    for (const coppice::TopTree::Node& node : top_tree.nodes()) {
-        const bool is_cell = node.lower == coppice::TopTree::Node::is_cell;
-        made.top.nodes.push_back(is_cell ? TopNode{TopNode::is_cell, 0.0F, node.cell}
-                                         : TopNode{static_cast<std::uint32_t>(node.plane.axis),
-                                                   node.plane.position, node.lower});
-    }
-    made.top.cell_count = static_cast<std::uint32_t>(of_cells.size());
+    Cells made{top_tree, std::move(buffers), std::move(ranges)};
     const std::span<PrimRef> prim_refs = made.buffers.first();
     parallel_for_chunks(of_cells.size(), 1, [&](std::size_t cell, std::size_t /*end*/) {
         std::size_t at = made.ranges[cell].begin;

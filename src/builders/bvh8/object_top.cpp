@@ -7,7 +7,7 @@
 
 #include "coppice/base/parallel.h"
 
-#include "builders/bvh8/top_tree.h"
+#include "builders/bvh8/cells.h"
 
 #include <algorithm>
 #include <array>
@@ -43,20 +43,17 @@ public:
         const bool is_small = depth == max_top_depth || range.size() < 2 * min_sampled ||
                               weight_of(splitter_.prim_refs(range)) <= cell_size_;
         const ObjectSplit split = is_small ? ObjectSplit{} : splitter_.find(range, mapping);
-        if (split.bin == 0) {
-            top_.nodes[slot].index = cell_count_++;
-            return;
-        }
+        if (split.bin == 0) return;
         const Halves halves = splitter_.divide(range, split, mapping);
-        const auto lower = static_cast<std::uint32_t>(top_.nodes.size());
-        top_.nodes[slot] = {split.axis, mapping.begin_of(split.axis, split.bin), lower};
-        top_.nodes.resize(lower + 2);
+        const std::uint32_t lower = top_.split(
+            slot, {static_cast<Axis>(split.axis), mapping.begin_of(split.axis, split.bin)},
+            PlanarSide::above);
         build(lower, halves.lower, depth + 1);
         build(lower + 1, halves.upper, depth + 1);
     }
 
     [[nodiscard]] TopTree take() && {
-        top_.cell_count = cell_count_;
+        top_.number_cells();
         return std::move(top_);
     }
 
@@ -64,7 +61,6 @@ private:
     const Splitter& splitter_;
     float cell_size_;
     TopTree top_;
-    std::uint32_t cell_count_ = 0;
 };
 
 // Ways to a cell without the descent from the root. A PrimRef is mostly in the cell of the one
@@ -79,8 +75,10 @@ public:
         std::array<float, 3> upper{-infinity, -infinity, -infinity};
     };
 
-    explicit Shortcuts(const TopTree& top)
-        : top_(top), places_(top.cell_count), starts_(resolution * resolution * resolution) {
+    explicit Shortcuts(const ObjectTop& top)
+        : top_(top.tree),
+          places_(top.tree.cell_count()),
+          starts_(resolution * resolution * resolution) {
         place_cells(0, {0, {-infinity, -infinity, -infinity}, {infinity, infinity, infinity}});
         for (std::size_t axis = 0; axis < 3; ++axis) {
             origin_[axis] = top.centroids.lower(axis);
@@ -109,15 +107,15 @@ private:
     static constexpr float infinity = std::numeric_limits<float>::infinity();
 
     void place_cells(std::uint32_t index, Place place) {
-        const TopNode& node = top_.nodes[index];
-        if (node.axis == TopNode::is_cell) {
+        const TopTree::Node& node = top_.nodes()[index];
+        if (node.is_cell) {
             place.cell = node.index;
             places_[node.index] = place;
             return;
         }
         Place lower = place;
-        lower.upper[node.axis] = node.position;
-        place.lower[node.axis] = node.position;
+        lower.upper[axis_of(node)] = node.plane.position;
+        place.lower[axis_of(node)] = node.plane.position;
         place_cells(node.index, lower);
         place_cells(node.index + 1, place);
     }
@@ -130,31 +128,28 @@ private:
             const float clamped = std::max(0.0F, at < last ? at : last);
             voxel = voxel * resolution + static_cast<std::size_t>(clamped);
         }
-        const TopNode* node = &top_.nodes[starts_[voxel]];
-        while (node->axis != TopNode::is_cell) {
-            node = &top_.nodes[node->index + (sum[node->axis] < node->position ? 0U : 1U)];
-        }
-        return node->index;
+        const std::uint32_t end = top_.descend(starts_[voxel], [&](const TopTree::Node& node) {
+            return sum[axis_of(node)] < node.plane.position ? TopTree::Step::below
+                                                            : TopTree::Step::above;
+        });
+        return top_.nodes()[end].index;
     }
 
     [[nodiscard]] std::uint32_t deepest_node_over(std::size_t voxel) const {
         const std::array<std::size_t, 3> at{voxel / (resolution * resolution),
                                             voxel / resolution % resolution, voxel % resolution};
-        std::uint32_t index = 0;
-        for (;;) {
-            const TopNode& node = top_.nodes[index];
-            if (node.axis == TopNode::is_cell) return index;
-            const float place = (node.position - origin_[node.axis]) * scale_[node.axis];
-            const auto begin = static_cast<float>(at[node.axis]);
+        return top_.descend(0, [&](const TopTree::Node& node) {
+            const std::size_t axis = axis_of(node);
+            const float place = (node.plane.position - origin_[axis]) * scale_[axis];
+            const auto begin = static_cast<float>(at[axis]);
             // A voxel wider: places are rounded.
-            if (place <= begin - 1.0F && scale_[node.axis] > 0.0F) {
-                index = node.index + 1;
-            } else if (place >= begin + 2.0F) {
-                index = node.index;
-            } else {
-                return index;
-            }
-        }
+            if (place <= begin - 1.0F && scale_[axis] > 0.0F) return TopTree::Step::above;
+            return place >= begin + 2.0F ? TopTree::Step::below : TopTree::Step::nowhere;
+        });
+    }
+
+    static std::size_t axis_of(const TopTree::Node& node) {
+        return static_cast<std::size_t>(node.plane.axis);
     }
 
     const TopTree& top_;
@@ -166,23 +161,22 @@ private:
 
 }  // namespace
 
-TopTree build_object_top(std::span<PrimRef> sample, float cell_size, const Kernels& kernels) {
+ObjectTop build_object_top(std::span<PrimRef> sample, float cell_size, const Kernels& kernels) {
     std::vector<PrimRef> buffer(sample.size());
     Splitter measure(sample, buffer, {}, kernels);
     const Range all = measure.measured(0, static_cast<std::uint32_t>(sample.size()), 0);
     const Splitter splitter(sample, buffer, {8.0F, false, extent_factor_of(all.box)}, kernels);
     TopBuilder builder(splitter, cell_size);
     builder.build(0, all, 0);
-    TopTree top = std::move(builder).take();
-    top.centroids = all.centroids;
-    return top;
+    return {std::move(builder).take(), all.centroids};
 }
 
-std::vector<Range> fill_cells(const TopTree& top, std::span<PrimRef> from, std::span<PrimRef> to) {
+std::vector<Range> fill_cells(const ObjectTop& top, std::span<PrimRef> from,
+                              std::span<PrimRef> to) {
     // Chunks depend on the sizes alone; as many as keep two threads busy and their counts small.
     const std::size_t chunk_size = std::max<std::size_t>(16384, from.size() / 64);
     const std::size_t chunk_count = (from.size() + chunk_size - 1) / chunk_size;
-    const std::size_t cell_count = top.cell_count;
+    const std::size_t cell_count = top.tree.cell_count();
     std::vector<std::uint32_t> places(chunk_count * cell_count);  // [chunk][cell]
 
     const Shortcuts shortcuts(top);

@@ -161,7 +161,7 @@ private:
     // The same, and on in this way down to where there is something to decide.
     [[nodiscard]] TreePart split_on(Node node) const {
         constexpr int level_count = 10;
-        const TopTree top_tree(
+        const KdTopTree top_tree(
             nodes_, {node.index, node.box, node.depth}, level_count,
             [&](std::uint32_t index) { return index != node.index && is_open(index); });
         auto of_cells = top_tree.distribute(std::move(node.prim_refs), division_);
@@ -178,7 +178,7 @@ private:
         std::vector<TreePart> parts(of_cells.size());
         parallel_for_chunks(order.size(), 1, [&](std::size_t at, std::size_t /*end*/) {
             const std::size_t cell = order[at];
-            const TopTree::Cell& root = top_tree.cells()[cell];
+            const KdTopTree::Cell& root = top_tree.cells()[cell];
             bytes[cell].release();
             const double share = unit * static_cast<double>(of_cells[cell].size());
             parts[cell] =
@@ -199,9 +199,9 @@ private:
     static TreePart joined(const TopTree& top_tree, std::uint32_t index,
                            std::vector<TreePart>& parts) {
         const TopTree::Node& node = top_tree.nodes()[index];
-        if (node.lower == TopTree::Node::is_cell) return std::move(parts[node.cell]);
-        TreePart lower = joined(top_tree, node.lower, parts);
-        TreePart upper = joined(top_tree, node.lower + 1, parts);
+        if (node.is_cell) return std::move(parts[node.index]);
+        TreePart lower = joined(top_tree, node.index, parts);
+        TreePart upper = joined(top_tree, node.index + 1, parts);
         return {node.plane, node.planar_side, std::move(lower), std::move(upper)};
     }
 

@@ -25,25 +25,31 @@ struct Sent {
 
 class Distributor {
 public:
-    Distributor(std::span<const TopTree::Node> nodes, const Division& division, Sent& sent)
-        : nodes_(nodes), division_(division), sent_(sent) {}
+    Distributor(const TopTree& top, const Division& division, Sent& sent)
+        : top_(top), division_(division), sent_(sent) {}
 
-    void send(std::uint32_t index, const PrimRef& prim_ref) const {
-        for (;;) {
-            const TopTree::Node& node = nodes_[index];
-            if (node.lower == TopTree::Node::is_cell) break;
-            PlaneRelation relation = relation_to(prim_ref.box, node.plane);
-            if (relation == PlaneRelation::across) {
-                send_to_both(node, prim_ref);
-                return;
+    void send(std::uint32_t from, const PrimRef& prim_ref) const {
+        const std::uint32_t end = top_.descend(from, [&](const TopTree::Node& node) {
+            switch (relation_to(prim_ref.box, node.plane)) {
+                case PlaneRelation::below:
+                    return TopTree::Step::below;
+                case PlaneRelation::above:
+                    return TopTree::Step::above;
+                case PlaneRelation::in_plane:
+                    return node.planar_side == PlanarSide::above ? TopTree::Step::above
+                                                                 : TopTree::Step::below;
+                case PlaneRelation::across:
+                    break;
             }
-            const bool is_planar_above =
-                relation == PlaneRelation::in_plane && node.planar_side == PlanarSide::above;
-            const bool is_above = relation == PlaneRelation::above || is_planar_above;
-            index = node.lower + (is_above ? 1U : 0U);
+            return TopTree::Step::nowhere;
+        });
+        const TopTree::Node& node = top_.nodes()[end];
+        if (!node.is_cell) {
+            send_to_both(node, prim_ref);
+            return;
         }
         sent_.prim_refs.push_back(prim_ref);
-        sent_.cells.push_back(nodes_[index].cell);
+        sent_.cells.push_back(node.index);
     }
 
 private:
@@ -52,11 +58,11 @@ private:
         const PartitionOutput begin{parts.data(), parts.data() + 1};
         const PartitionOutput end =
             divide(std::span(&prim_ref, 1), node.plane, node.planar_side, division_, begin);
-        if (end.below != begin.below) send(node.lower, parts[0]);
-        if (end.above != begin.above) send(node.lower + 1, parts[1]);
+        if (end.below != begin.below) send(node.index, parts[0]);
+        if (end.above != begin.above) send(node.index + 1, parts[1]);
     }
 
-    std::span<const TopTree::Node> nodes_;
+    const TopTree& top_;
     const Division& division_;
     Sent& sent_;
 };
@@ -100,29 +106,26 @@ std::vector<PrimRef> gathered(std::span<const Sent> chunks, std::size_t cell) {
 
 }  // namespace
 
-TopTree::TopTree(std::span<const KdNode> tree, const Cell& root, int level_count,
-                 const std::function<bool(std::uint32_t)>& ends_at) {
+KdTopTree::KdTopTree(std::span<const KdNode> tree, const Cell& root, int level_count,
+                     const std::function<bool(std::uint32_t)>& ends_at) {
     const std::function<void(std::uint32_t, const Cell&)> add = [&](std::uint32_t slot,
                                                                     const Cell& at) {
         const KdNode& node = tree[at.index];
         if (node.is_leaf() || at.depth - root.depth >= level_count || ends_at(at.index)) {
-            nodes_[slot] = {{}, {}, Node::is_cell, static_cast<std::uint32_t>(cells_.size())};
             cells_.push_back(at);
             return;
         }
-        const auto lower = static_cast<std::uint32_t>(nodes_.size());
         const SplitPlane plane = node.plane();
-        nodes_[slot] = {plane, node.planar_side(), lower, 0};
-        nodes_.resize(nodes_.size() + 2);
+        const std::uint32_t lower = split(slot, plane, node.planar_side());
         add(lower, {node.lower_child(), below(at.box, plane), at.depth + 1});
         add(lower + 1, {node.upper_child(), above(at.box, plane), at.depth + 1});
     };
-    nodes_.resize(1);
     add(0, root);
+    number_cells();
 }
 
-std::vector<std::vector<PrimRef>> TopTree::distribute(std::vector<PrimRef> prim_refs,
-                                                      const Division& division) const {
+std::vector<std::vector<PrimRef>> KdTopTree::distribute(std::vector<PrimRef> prim_refs,
+                                                        const Division& division) const {
     // Chunks depend on the number of PrimRefs alone, and their lists take little room.
     const std::size_t chunk_size = std::max<std::size_t>(16384, prim_refs.size() / 64 + 1);
     MeteredBytes bytes(division.meter, prim_refs);
@@ -131,7 +134,7 @@ std::vector<std::vector<PrimRef>> TopTree::distribute(std::vector<PrimRef> prim_
         Sent& sent = chunks[begin / chunk_size];
         sent.prim_refs.reserve((end - begin) + (end - begin) / 16);
         sent.cells.reserve(sent.prim_refs.capacity());
-        const Distributor sender(nodes_, division, sent);
+        const Distributor sender(*this, division, sent);
         for (std::size_t i = begin; i < end; ++i) {
             sender.send(0, prim_refs[i]);
         }

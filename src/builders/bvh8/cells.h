@@ -6,6 +6,7 @@
 #include "builders/bvh8/double_buffer.h"
 #include "builders/bvh8/splitter.h"
 #include "builders/kernels/bvh8_kernels.h"
+#include "builders/top_tree.h"
 
 #include <cstdint>
 #include <span>
@@ -13,33 +14,22 @@
 
 namespace coppice::inline v0::bvh8 {
 
-/// A node of the binary tree above the cells: a plane that divides PrimRefs by the sum of their
-/// bounds on an axis, or a cell.
-struct TopNode {
-    static constexpr std::uint32_t is_cell = 3;
-
-    std::uint32_t axis = is_cell;
-    float position = 0.0F;    ///< a PrimRef goes to the lower child if its sum is less
-    std::uint32_t index = 0;  ///< of the lower child (the upper one follows), or of the cell
-};
-
-/// The upper part of an 8-wide tree, chosen from a sample: node 0 is the root, children follow
-/// their parents.
-struct TopTree {
-    std::vector<TopNode> nodes{TopNode{}};
-    std::uint32_t cell_count = 1;
+/// A TopTree by centroids: a PrimRef goes below a plane if the sum of its bounds on the axis is
+/// less than the plane's position.
+struct ObjectTop {
+    TopTree tree;
     Box8 centroids = Box8::make_empty();  ///< the range of those it was chosen from
 };
 
 /// A top over sampled PrimRefs, whose weights say how many primitives each stands for: split
 /// until a cell is expected to hold at most `cell_size` primitives. Reorders the sample.
-[[nodiscard]] TopTree build_object_top(std::span<PrimRef> sample, float cell_size,
-                                       const Kernels& kernels);
+[[nodiscard]] ObjectTop build_object_top(std::span<PrimRef> sample, float cell_size,
+                                         const Kernels& kernels);
 
 /// Sends every PrimRef of `from` to the cell it belongs to: `to` receives them cell by cell, in
 /// their order. If it is longer than `from`, cells share what is to spare by their sizes. Returns
 /// the cells' ranges in buffer 1, without boxes.
-[[nodiscard]] std::vector<Range> fill_cells(const TopTree& top, std::span<PrimRef> from,
+[[nodiscard]] std::vector<Range> fill_cells(const ObjectTop& top, std::span<PrimRef> from,
                                             std::span<PrimRef> to);
 
 /// The cells that a tree is grown from: a top, and the PrimRefs below each of its leaves. To be
