@@ -51,18 +51,6 @@ COPPICE_LANES unsigned less_equal(Doubles a, Doubles b) noexcept {
     return static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(a.lane, b.lane, _CMP_LE_OQ)));
 }
 
-struct DoubleMask {
-    __m256d lane;
-};
-
-COPPICE_LANES DoubleMask is_less(Doubles a, Doubles b) noexcept {
-    return {_mm256_cmp_pd(a.lane, b.lane, _CMP_LT_OQ)};
-}
-
-COPPICE_LANES DoubleMask is_equal(Doubles a, Doubles b) noexcept {
-    return {_mm256_cmp_pd(a.lane, b.lane, _CMP_EQ_OQ)};
-}
-
 COPPICE_LANES DoubleMask operator&(DoubleMask a, DoubleMask b) noexcept {
     return {_mm256_and_pd(a.lane, b.lane)};
 }

@@ -40,12 +40,4 @@ COPPICE_LANES double greatest(const Doubles& a) noexcept {
     return pairs.lane[0] > pairs.lane[1] ? pairs.lane[0] : pairs.lane[1];
 }
 
-COPPICE_LANES DoubleMask is_less(const Doubles& a, const Doubles& b) noexcept {
-    return mask_where<DoubleMask>(a, b, [](double x, double y) { return x < y; });
-}
-
-COPPICE_LANES DoubleMask is_equal(const Doubles& a, const Doubles& b) noexcept {
-    return mask_where<DoubleMask>(a, b, [](double x, double y) { return x == y; });
-}
-
 }  // namespace coppice::inline v0::simd::scalar

@@ -158,18 +158,6 @@ COPPICE_LANES std::array<Lanes, 3> load_points(const std::array<const float*, 8>
             Lanes{_mm256_shuffle_ps(ab_z, cd_z, _MM_SHUFFLE(1, 0, 1, 0))}};
 }
 
-struct Mask {
-    __m256 lane;
-};
-
-COPPICE_LANES Mask is_less(Lanes a, Lanes b) noexcept {
-    return {_mm256_cmp_ps(a.lane, b.lane, _CMP_LT_OQ)};
-}
-
-COPPICE_LANES Mask is_equal(Lanes a, Lanes b) noexcept {
-    return {_mm256_cmp_ps(a.lane, b.lane, _CMP_EQ_OQ)};
-}
-
 COPPICE_LANES Mask operator&(Mask a, Mask b) noexcept {
     return {_mm256_and_ps(a.lane, b.lane)};
 }

@@ -163,14 +163,6 @@ COPPICE_LANES std::array<std::uint32_t, 3> to_integers(const Quad& a) noexcept {
     return integers;
 }
 
-COPPICE_LANES Mask is_less(const Lanes& a, const Lanes& b) noexcept {
-    return mask_where<Mask>(a, b, [](float x, float y) { return x < y; });
-}
-
-COPPICE_LANES Mask is_equal(const Lanes& a, const Lanes& b) noexcept {
-    return mask_where<Mask>(a, b, [](float x, float y) { return x == y; });
-}
-
 /// 0 where the mask is not set.
 COPPICE_LANES Lanes keep(const Mask& mask, Lanes lanes) noexcept {
     for (std::size_t i = 0; i < 8; ++i) {

@@ -25,6 +25,14 @@ struct Doubles {
     __m256d lane;
 };
 
+struct Mask {
+    __m256 lane;
+};
+
+struct DoubleMask {
+    __m256d lane;
+};
+
 template <typename T>
 concept Register =
     std::is_same_v<T, Lanes> || std::is_same_v<T, Quad> || std::is_same_v<T, Doubles>;
@@ -47,6 +55,26 @@ COPPICE_LANES T operator*(T a, T b) noexcept {
 template <Register T>
 COPPICE_LANES T operator-(T a) noexcept {
     return {-a.lane};
+}
+
+template <int predicate>
+COPPICE_LANES Mask compare(Lanes a, Lanes b) noexcept {
+    return {_mm256_cmp_ps(a.lane, b.lane, predicate)};
+}
+
+template <int predicate>
+COPPICE_LANES DoubleMask compare(Doubles a, Doubles b) noexcept {
+    return {_mm256_cmp_pd(a.lane, b.lane, predicate)};
+}
+
+template <Register T>
+COPPICE_LANES auto is_less(T a, T b) noexcept {
+    return compare<_CMP_LT_OQ>(a, b);
+}
+
+template <Register T>
+COPPICE_LANES auto is_equal(T a, T b) noexcept {
+    return compare<_CMP_EQ_OQ>(a, b);
 }
 
 }  // namespace coppice::inline v0::simd::wide256

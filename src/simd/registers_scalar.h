@@ -115,6 +115,22 @@ COPPICE_LANES unsigned less_equal(const T& a, const T& b) noexcept {
     return bits_where(a, b, [](auto x, auto y) { return x <= y; });
 }
 
+COPPICE_LANES Mask is_less(const Lanes& a, const Lanes& b) noexcept {
+    return mask_where<Mask>(a, b, [](float x, float y) { return x < y; });
+}
+
+COPPICE_LANES Mask is_equal(const Lanes& a, const Lanes& b) noexcept {
+    return mask_where<Mask>(a, b, [](float x, float y) { return x == y; });
+}
+
+COPPICE_LANES DoubleMask is_less(const Doubles& a, const Doubles& b) noexcept {
+    return mask_where<DoubleMask>(a, b, [](double x, double y) { return x < y; });
+}
+
+COPPICE_LANES DoubleMask is_equal(const Doubles& a, const Doubles& b) noexcept {
+    return mask_where<DoubleMask>(a, b, [](double x, double y) { return x == y; });
+}
+
 template <RegisterMask M>
 COPPICE_LANES M operator&(const M& a, const M& b) noexcept {
     return each(a, b, [](auto x, auto y) { return x & y; });
