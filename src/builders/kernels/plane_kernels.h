@@ -123,10 +123,11 @@ public:
         double cost = costs[0];
         double position = positions[0];
         for (std::size_t lane = 1; lane < half_count; ++lane) {
-            const bool is_better =
-                (costs[lane] < cost) | ((costs[lane] == cost) & (positions[lane] < position));
-            cost = is_better ? costs[lane] : cost;
-            position = is_better ? positions[lane] : position;
+            const double other = costs[lane];
+            const double at = positions[lane];
+            const bool is_better = (other < cost) | ((other == cost) & (at < position));
+            cost = is_better ? other : cost;
+            position = is_better ? at : position;
         }
         return {cost, static_cast<float>(position)};
     }
