@@ -13,15 +13,9 @@
 #include "builders/kernels/object_kernels.h"
 #include "builders/kernels/spatial_kernels.h"
 
-#include COPPICE_SIMD_LANES
-
-COPPICE_SIMD_BEGIN
-
 namespace coppice::inline v0::bvh8 {
 namespace {
 namespace COPPICE_SIMD_SET {
-
-using namespace simd::COPPICE_SIMD_SET;
 
 constexpr Kernels kernels{&unite,      &bin,          &find_split,   &partition,
                           &bin_pieces, &count_pieces, &write_pieces, &fill_block};
@@ -29,7 +23,5 @@ constexpr Kernels kernels{&unite,      &bin,          &find_split,   &partition,
 }  // namespace COPPICE_SIMD_SET
 }  // namespace
 }  // namespace coppice::inline v0::bvh8
-
-COPPICE_SIMD_END
 
 #endif

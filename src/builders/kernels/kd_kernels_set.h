@@ -13,22 +13,14 @@
 #include "builders/kernels/kd_kernels.h"
 #include "builders/kernels/plane_kernels.h"
 
-#include COPPICE_SIMD_LANES
-
-COPPICE_SIMD_BEGIN
-
 namespace coppice::inline v0 {
 namespace {
 namespace COPPICE_SIMD_SET {
-
-using namespace simd::COPPICE_SIMD_SET;
 
 constexpr KdKernels kernels{&find_best_plane, &bin_ends};
 
 }  // namespace COPPICE_SIMD_SET
 }  // namespace
 }  // namespace coppice::inline v0
-
-COPPICE_SIMD_END
 
 #endif

@@ -220,8 +220,8 @@ COPPICE_LANES void widen(Bracket& bracket, const AxisEnds& ends, float lower,
     for (std::size_t i = 0; i < ends.count; ++i) {
         const float start = ends.lower[i];
         const float end = ends.upper[i];
-        first_start = (start > lower) & (start < first_start) ? start : first_start;
-        last_end = (end < upper) & (end > last_end) ? end : last_end;
+        first_start = ((start > lower) & (start < first_start)) ? start : first_start;
+        last_end = ((end < upper) & (end > last_end)) ? end : last_end;
     }
     bracket.last_start = std::max(bracket.last_start, first_start);
     bracket.first_end = std::min(bracket.first_end, last_end);
@@ -255,11 +255,11 @@ COPPICE_LANES void list_candidates(const AxisEnds& ends, const CostTerms& terms,
     std::size_t count = 0;
     for (std::size_t i = 0; i < ends.count; ++i) {
         list.position[count] = ends.lower[i];
-        count += (ends.lower[i] > lower) & (ends.lower[i] <= bracket.last_start) ? 1U : 0U;
+        count += ((ends.lower[i] > lower) & (ends.lower[i] <= bracket.last_start)) ? 1U : 0U;
     }
     for (std::size_t i = 0; i < ends.count; ++i) {
         list.position[count] = ends.upper[i];
-        count += (ends.upper[i] < upper) & (ends.upper[i] >= bracket.first_end) ? 1U : 0U;
+        count += ((ends.upper[i] < upper) & (ends.upper[i] >= bracket.first_end)) ? 1U : 0U;
     }
     std::fill_n(list.position.begin() + static_cast<std::ptrdiff_t>(count), lane_count,
                 std::numeric_limits<float>::infinity());
