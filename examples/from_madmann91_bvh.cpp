@@ -9,7 +9,7 @@ int main() {
     const coppice::TriangleMesh mesh = coppice::load_mesh("bunny.obj");
 
     // DefaultBuilder::build: boxes and centers are the builder's own business.
-    const coppice::Bvh8Tracer tracer(coppice::build_bvh8(mesh.view()));
+    const coppice::Bvh8Tracer tracer(coppice::build_bvh8(mesh.view()).tree);
 
     // Bvh::intersect<false, true>: no stack, no callback; triangles are tested inside.
     const coppice::Ray ray{.origin = {0, 0, -5}, .direction = {0, 0, 1}};

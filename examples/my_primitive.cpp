@@ -88,9 +88,7 @@ int main() {
     const SphereSet spheres(std::move(grid));
 
     // Built from a tenth of the spheres, emptied, refilled with all of them, grown on.
-    coppice::BuildReport report;
-    const coppice::KdTree tree =
-        coppice::build_kd_tree(spheres, {.sample = {.rate = 0.1}}, &report);
+    const auto [tree, report] = coppice::build_kd_tree(spheres, {.sample = {.rate = 0.1}});
     std::printf("%u of %u spheres sampled, %zu nodes\n", report.sample_count,
                 report.primitive_count, tree.nodes().size());
 

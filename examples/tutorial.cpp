@@ -33,7 +33,7 @@ int main() {
         rays[i].origin.y = static_cast<float>(i / 100) / 50.0F - 1.0F;
     }
     std::vector<coppice::Hit> first(rays.size());
-    scene.intersect(rays, first, 0);
+    scene.intersect(rays, first);
 
     // What is near a point, and whether the point is inside.
     const coppice::SurfaceNeighbor nearest = scene.nearest({1, 1, 1});
@@ -43,9 +43,8 @@ int main() {
     std::printf("the origin is %.3f below the surface\n", depth);
 
     // A k-d tree from a tenth of the triangles.
-    coppice::BuildReport sampled;
-    const coppice::KdTree tree =
-        coppice::build_kd_tree(scene.mesh().view(), {.sample = {.rate = 0.1}}, &sampled);
+    const auto [tree, sampled] =
+        coppice::build_kd_tree(scene.mesh().view(), {.sample = {.rate = 0.1}});
     std::printf("%u of %u triangles chose the planes; SAH cost %.1f, %zu nodes\n",
                 sampled.sample_count, sampled.primitive_count, sampled.statistics.sah_cost,
                 tree.nodes().size());

@@ -57,24 +57,34 @@ TriangleMesh take_mesh(FuzzedDataProvider& data) {
     return mesh;
 }
 
-BuildOptions take_options(FuzzedDataProvider& data, const Method& method) {
-    BuildOptions options = method.options();
+/// The options of both kinds of trees, of which a method takes one.
+struct TakenOptions {
+    KdOptions kd;
+    Bvh8Options bvh8;
+};
+
+TakenOptions take_options(FuzzedDataProvider& data, const Method& method) {
+    TakenOptions options;
+    const bool is_kd = method.tree() == TreeKind::kd;
+    is_kd ? void(options.kd = method.kd_options()) : void(options.bvh8 = method.bvh8_options());
     constexpr std::array rates{1.0, 0.5, 0.1, 0.01};
-    options.sample.rate = rates[data.ConsumeIntegralInRange<std::size_t>(0, rates.size() - 1)];
-    options.sample.sampler = take_entry(data, sampler_registry()).name;
-    options.sample.seed = data.ConsumeIntegral<std::uint8_t>();
+    SampleOptions& sample = is_kd ? options.kd.sample : options.bvh8.sample;
+    sample.rate = rates[data.ConsumeIntegralInRange<std::size_t>(0, rates.size() - 1)];
+    sample.sampler = take_entry(data, sampler_registry()).name;
+    sample.seed = data.ConsumeIntegral<std::uint8_t>();
     options.bvh8.sampled_from = 0;
     options.bvh8.cell_size = data.ConsumeBool() ? 64 : 0;
-    options.threads = data.ConsumeIntegralInRange(1, 2);
+    options.kd.threads = options.bvh8.threads = data.ConsumeIntegralInRange(1, 2);
     if (data.ConsumeBool()) return options;
-    options.split.rule = take_entry(data, split_finder_registry()).name;
-    options.split.max_leaf = data.ConsumeIntegralInRange<std::uint32_t>(1, 33);
-    options.split.max_depth = data.ConsumeIntegralInRange(0, 60);
-    options.split.clipping = data.ConsumeBool() ? Clipping::perfect : Clipping::bounding_box;
-    options.split.sample_weighting =
+    SplitOptions& split = options.kd.split;
+    split.rule = take_entry(data, split_finder_registry()).name;
+    split.max_leaf = data.ConsumeIntegralInRange<std::uint32_t>(1, 33);
+    split.max_depth = data.ConsumeIntegralInRange(0, 60);
+    split.clipping = data.ConsumeBool() ? Clipping::perfect : Clipping::bounding_box;
+    split.sample_weighting =
         data.ConsumeBool() ? SampleWeighting::sampled : SampleWeighting::expected;
-    options.split.termination = data.ConsumeBool() ? Termination::limits : Termination::sah;
-    options.leaf_refinement = data.ConsumeBool() ? LeafRefinement::none : LeafRefinement::kd;
+    split.termination = data.ConsumeBool() ? Termination::limits : Termination::sah;
+    options.kd.leaf_refinement = data.ConsumeBool() ? LeafRefinement::none : LeafRefinement::kd;
     return options;
 }
 
@@ -126,8 +136,8 @@ void expect_true_hits(TriangleMeshView mesh, const Ray& ray, Closest&& closest, 
     }
 }
 
-void check_kd(FuzzedDataProvider& data, TriangleMeshView mesh, const BuildOptions& options) {
-    const KdTree tree = build_kd_tree(mesh, options);
+void check_kd(FuzzedDataProvider& data, TriangleMeshView mesh, const KdOptions& options) {
+    const KdTree tree = build_kd_tree(mesh, options).tree;
     expect(validate(tree, mesh, 1).empty(), "a sound k-d tree");
     for (int i = 0; i < 12; ++i) {
         expect_true_hits(
@@ -163,8 +173,8 @@ void check_batch(FuzzedDataProvider& data, TriangleMeshView mesh,
     }
 }
 
-void check_bvh8(FuzzedDataProvider& data, TriangleMeshView mesh, const BuildOptions& options) {
-    const Bvh8 tree = build_bvh8(mesh, options);
+void check_bvh8(FuzzedDataProvider& data, TriangleMeshView mesh, const Bvh8Options& options) {
+    const Bvh8 tree = build_bvh8(mesh, options).tree;
     expect(validate(tree, mesh, 1).empty(), "a sound 8-wide tree");
     std::vector<Bvh8Tracer> tracers;
     for (const Isa isa : available_isas()) {
@@ -185,10 +195,11 @@ void check_bvh8(FuzzedDataProvider& data, TriangleMeshView mesh, const BuildOpti
     }
 }
 
-void check_points(std::span<const Vec3f> points, const BuildOptions& options) {
+void check_points(std::span<const Vec3f> points, const KdOptions& options) {
     const PointCloudView view{points};
     try {
-        expect(validate(build_kd_tree(view, options), view, 1).empty(), "a sound tree of points");
+        expect(validate(build_kd_tree(view, options).tree, view, 1).empty(),
+               "a sound tree of points");
     } catch (const Error& error) {
         expect(error.code() == ErrorCode::invalid_argument, "points that are finite to be taken");
     }
@@ -196,21 +207,21 @@ void check_points(std::span<const Vec3f> points, const BuildOptions& options) {
 
 void run(FuzzedDataProvider& data) {
     const Method& method = take_entry(data, method_registry());
-    const BuildOptions options = take_options(data, method);
+    const TakenOptions options = take_options(data, method);
     TriangleMesh mesh = take_mesh(data);
-    const auto build_kd = [&] { return build_kd_tree(mesh.view(), options); };
-    const auto build_bvh8 = [&] { return build_bvh8(mesh.view(), options); };
-    const bool is_kd = method.tree == TreeKind::kd;
+    const auto build_kd = [&] { return build_kd_tree(mesh.view(), options.kd).tree; };
+    const auto build_wide = [&] { return build_bvh8(mesh.view(), options.bvh8).tree; };
+    const bool is_kd = method.tree() == TreeKind::kd;
     TriangleMesh finite = mesh;
     const std::uint32_t first_bad = drop_what_is_not_finite(finite);
     if (first_bad < mesh.triangles.size()) {
-        is_kd ? expect_refusal(build_kd, first_bad) : expect_refusal(build_bvh8, first_bad);
+        is_kd ? expect_refusal(build_kd, first_bad) : expect_refusal(build_wide, first_bad);
     }
     if (is_kd) {
-        check_kd(data, finite.view(), options);
-        check_points(finite.vertices, options);
+        check_kd(data, finite.view(), options.kd);
+        check_points(finite.vertices, options.kd);
     } else {
-        check_bvh8(data, finite.view(), options);
+        check_bvh8(data, finite.view(), options.bvh8);
     }
 }
 

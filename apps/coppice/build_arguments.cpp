@@ -5,6 +5,8 @@
 
 #include "options.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
@@ -73,26 +75,52 @@ void add_method(CLI::App& parser, MethodRequest& request, const std::string& see
 }
 
 BuildOptions options_of(const MethodRequest& request) {
-    BuildOptions options = find_method(request.method).options();
-    const bool is_automatic = request.method == "auto";
+    const Method& method = find_method(request.method);
+    BuildOptions options = method.options();
+    SampleOptions& sample = sample_of(options);
     if (!request.sampler.empty()) {
-        options.sample.sampler = request.sampler;
-        if (is_automatic) options.sample.rate = 0.01;
+        sample.sampler = request.sampler;
+        if (method.is_automatic()) sample.rate = 0.01;
     }
-    if (request.rate) options.sample.rate = *request.rate;
-    if (is_automatic && request.rate == 1.0) {  // which by itself leaves the sample to the preset
-        options.bvh8.sampled_from = std::numeric_limits<std::uint32_t>::max();
-    }
-    options.sample.seed = request.seed;
+    if (request.rate) sample.rate = *request.rate;
+    sample.seed = request.seed;
     const auto take = [](double given, double& value) {
         if (!std::isnan(given)) value = given;
     };
-    take(request.cost.traversal, options.cost.traversal);
-    take(request.cost.intersection, options.cost.intersection);
-    take(request.cost.empty_bonus, options.cost.empty_bonus);
-    options.bvh8.expected_rays = request.expected_rays;
-    options.threads = request.threads;
+    SahCostModel& cost = cost_of(options);
+    take(request.cost.traversal, cost.traversal);
+    take(request.cost.intersection, cost.intersection);
+    take(request.cost.empty_bonus, cost.empty_bonus);
+    set_threads(options, request.threads);
+    if (auto* const bvh8 = std::get_if<Bvh8Options>(&options)) {
+        bvh8->expected_rays = request.expected_rays;
+        // A rate of 1 by itself leaves the sample to the preset.
+        if (method.is_automatic() && request.rate == 1.0) {
+            bvh8->sampled_from = std::numeric_limits<std::uint32_t>::max();
+        }
+    }
     return options;
+}
+
+void refuse_vain_options(const CLI::App& parser, const MethodRequest& request, const TreeUse& use) {
+    const Method& method = find_method(request.method);
+    const BuildOptions options = options_of(request);
+    const bool takes_all =
+        sample_of(options).rate == 1.0 && (!method.is_automatic() || request.rate == 1.0);
+    const std::string all =
+        fmt::format("no sample is drawn with --method {}{}; give a share of less with --sample",
+                    method.name, request.rate ? " --sample 100%" : "");
+    refuse_vain(parser, "--sampler", takes_all, all);
+    refuse_vain(parser, "--seed", takes_all && !use.seeds_more, all);
+    refuse_vain(parser, "--expected-rays", !method.is_automatic(),
+                "only --method auto goes by the rays expected; leave one of them out");
+    const bool is_wide = method.tree() == TreeKind::bvh8;
+    const std::string constants = fmt::format(
+        "--method {} builds by constants of its own; k-d methods go by this", method.name);
+    refuse_vain(parser, "--empty-bonus", is_wide, constants);
+    for (const char* const name : {"--traversal-cost", "--intersection-cost"}) {
+        refuse_vain(parser, name, is_wide && !use.shows_cost, constants);
+    }
 }
 
 }  // namespace coppice::app

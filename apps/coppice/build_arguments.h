@@ -47,4 +47,13 @@ void add_method(CLI::App& parser, MethodRequest& request, const std::string& see
 /// The options of a build that a request asks for: the method's own where nothing is given.
 [[nodiscard]] BuildOptions options_of(const MethodRequest& request);
 
+/// What a command does with the tree it builds, beside building it.
+struct TreeUse {
+    bool seeds_more = false;  ///< --seed is that of more than the sample
+    bool shows_cost = true;   ///< the tree's SAH cost
+};
+
+/// Throws UsageError naming the first option given that has no effect with the method.
+void refuse_vain_options(const CLI::App& parser, const MethodRequest& request, const TreeUse& use);
+
 }  // namespace coppice::app

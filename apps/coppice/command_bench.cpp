@@ -111,6 +111,14 @@ void run_request(BenchRequest& request, Output& output) {
     output.print(fmt::format("written: {}\n", request.json));
 }
 
+/// True if nothing that is measured makes use of arrays of rays.
+bool takes_no_arrays(const lab::BenchOptions& options) {
+    return options.peers.empty() &&
+           std::all_of(options.methods.begin(), options.methods.end(), [](const std::string& name) {
+               return find_method(name).tree() == TreeKind::kd;
+           });
+}
+
 }  // namespace
 
 Command add_bench(CLI::App& program) {
@@ -131,6 +139,10 @@ Command add_bench(CLI::App& program) {
         "The names of methods and peers are explained by `coppice list`.");
     return {parser, [parser, request](Output& output) {
                 require_scenes(*parser, request->scenes);
+                refuse_vain(*parser, "--seed", !has_bounces(request->options.rays),
+                            "it is that of diffuse rays, and --rays has none");
+                refuse_vain(*parser, "--batched", takes_no_arrays(request->options),
+                            "k-d methods trace the rays of an array one by one");
                 wipe_line_on_interrupt();
                 run_request(*request, output);
             }};

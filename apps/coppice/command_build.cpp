@@ -17,6 +17,7 @@
 #include "text/build_text.h"
 #include "text/progress_line.h"
 #include "tracers/memory_limit.h"
+#include "tracers/ray_tracer.h"
 #include "tree_arguments.h"
 #include "watched_build.h"
 
@@ -38,26 +39,23 @@ struct BuildRequest {
     bool as_json = false;
 };
 
-BuildEstimate estimate(const Method& method, const BuildOptions& options, const TriangleMesh& mesh,
+BuildEstimate estimate(const BuildOptions& options, const TriangleMesh& mesh,
                        const std::stop_token& stop) {
-    return method.tree == TreeKind::kd ? estimate_kd_tree(mesh.view(), options, stop)
-                                       : estimate_bvh8(mesh.view(), options, stop);
+    if (const auto* const kd = std::get_if<KdOptions>(&options)) {
+        return estimate_kd_tree(mesh.view(), *kd, stop);
+    }
+    return estimate_bvh8(mesh.view(), std::get<Bvh8Options>(options), stop);
 }
 
-/// Builds, and tells the report what was expected; with a memory limit the library does the latter.
-AnyTree build(const Method& method, const BuildOptions& options, const TriangleMesh& mesh,
-              BuildReport& report, const BuildControl& control) {
+/// Builds, and reports what was expected; with a memory limit the library does the latter.
+render::AnyBuild build(const Method& method, const BuildOptions& options, const TriangleMesh& mesh,
+                       const BuildControl& control) {
     std::optional<BuildEstimate> expected;
-    if (control.memory_limit_bytes == 0) expected = estimate(method, options, mesh, control.stop);
-    AnyTree tree;
-    if (method.tree == TreeKind::kd) {
-        tree = build_kd_tree(mesh.view(), options, &report, control);
-    } else {
-        tree = build_bvh8(mesh.view(), options, &report, control);
-    }
-    report.method = method.name;
-    if (expected) report.estimate = expected;
-    return tree;
+    if (control.memory_limit_bytes == 0) expected = estimate(options, mesh, control.stop);
+    render::AnyBuild built = render::build_tree(mesh.view(), options, control);
+    built.report.method = method.name;
+    if (expected) built.report.estimate = expected;
+    return built;
 }
 
 /// The number of threads is left out: the tree does not depend on it, nor does its file.
@@ -86,13 +84,12 @@ void run_request(const BuildRequest& request, Output& output) {
         progress.show(names[i] + ": loading");
         const TriangleMesh mesh = load_mesh(files[i]);
         progress.show(names[i] + ": estimating");
-        BuildReport report;
-        AnyTree tree;
-        watch_build(progress, names[i] + ": building",
-                    lab::limit_memory(request.build.memory_limit_bytes, mesh.view()),
-                    [&](const BuildControl& control) {
-                        tree = build(method, options, mesh, report, control);
-                    });
+        render::AnyBuild built;
+        watch_build(
+            progress, names[i] + ": building",
+            lab::limit_memory(request.build.memory_limit_bytes, mesh.view()),
+            [&](const BuildControl& control) { built = build(method, options, mesh, control); });
+        const auto& [tree, report] = built;
         if (!request.out.empty()) {
             progress.show(names[i] + ": writing");
             save(request.out, tree, mesh, report);
@@ -152,6 +149,7 @@ Command add_build(CLI::App& program) {
         "The names of methods and samplers are explained by `coppice list`.");
     return {parser, [parser, request](Output& output) {
                 require_scenes(*parser, request->scenes);
+                refuse_vain_options(*parser, request->build, {});
                 wipe_line_on_interrupt();
                 check_output(*request);
                 run_request(*request, output);

@@ -190,7 +190,11 @@ void take_replayed(const CLI::App& parser, ExperimentRequest& request) {
 void run_request(const CLI::App& parser, ExperimentRequest& request,
                  const std::vector<std::string>& arguments, Output& output) {
     finish_options(request);
-    if (!request.replay.empty()) take_replayed(parser, request);
+    if (!request.replay.empty()) {
+        take_replayed(parser, request);
+    } else if (request.resume.empty()) {
+        refuse_vain_options(parser, request.options);
+    }
     if (!request.resume.empty() && is_finished(request.resume)) {
         output.print(fmt::format("{}: the experiment is finished\n", request.resume));
         return;

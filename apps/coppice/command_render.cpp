@@ -122,6 +122,28 @@ void add_light(CLI::App& parser, RenderRequest& request) {
     parser.get_option("--ao-distance")->default_str("a tenth of the scene");
 }
 
+/// What is given for another integrator or another kind of file.
+void refuse_vain_image_options(const CLI::App& parser, const RenderRequest& request) {
+    const render::IntegratorEntry& integrator = render::find_integrator(request.integrator);
+    const auto format = render::format_of(request.out);
+    const bool is_png = format == render::ImageFormat::png;
+    const bool is_light = integrator.display == render::Display::light;
+    const bool is_cost = integrator.display == render::Display::cost;
+    refuse_vain(parser, "--exposure", !is_png, ".exr and .pfm hold the light itself; write a .png");
+    refuse_vain(parser, "--cost-scale", !is_png, ".exr and .pfm hold the steps; write a .png");
+    const std::string no_light =
+        fmt::format("--integrator {} shows no light; whitted and path do", integrator.name);
+    for (const char* const name :
+         {"--exposure", "--light", "--light-radius", "--sky", "--max-depth"}) {
+        refuse_vain(parser, name, !is_light, no_light);
+    }
+    refuse_vain(parser, "--light-radius", request.lamp_wish == LampWish::none,
+                "--light none leaves no lamp");
+    refuse_vain(parser, "--cost-scale", !is_cost, "only --integrator cost has a heat map");
+    refuse_vain(parser, "--ao-distance", integrator.display != render::Display::share,
+                "only --integrator ao goes by it");
+}
+
 void check_output(const std::string& out) {
     const DeferInterrupts no_trace;
     lab::check_file_writable(out);
@@ -189,15 +211,16 @@ std::unique_ptr<render::RayTracer> make_tree(const RenderRequest& request, Trian
                                              lab::ProgressLine& progress) {
     if (request.tree.empty()) {
         const Method& method = find_method(request.build.method);
-        report.tree = method.tree;
-        std::unique_ptr<render::RayTracer> built;
+        report.tree = method.tree();
+        render::AnyBuild built;
         watch_build(progress, report.scene + ": building",
                     lab::limit_memory(request.build.memory_limit_bytes, mesh),
                     [&](const BuildControl& control) {
-                        built = render::build_tracer(method, options_of(request.build), mesh,
-                                                     &report.build, control);
+                        built = render::build_tree(mesh, options_of(request.build), control);
                     });
-        return built;
+        report.build = std::move(built.report);
+        report.build.method = method.name;
+        return render::make_tracer(std::move(built.tree), mesh);
     }
     progress.show(report.scene + ": loading its tree");
     const Timer timer;
@@ -302,7 +325,7 @@ void run_request(const RenderRequest& request, Output& output) {
     for (const std::string& warning : report.warnings) {
         print_message("warning: " + warning);
     }
-    note_preset(report.build);
+    note_differences(report.build);
     tell(report, request.as_json, output);
     if (result.is_complete()) return;
     const double share =
@@ -339,6 +362,8 @@ Command add_render(CLI::App& program) {
     return {parser, [parser, request](Output& output) {
                 check_request(*parser, *request);
                 check_tree_arguments(*parser, request->tree, request->scenes);
+                refuse_vain_options(*parser, request->build, {.seeds_more = true});
+                refuse_vain_image_options(*parser, *request);
                 request->options.seed = request->build.seed;
                 request->options.threads = request->build.threads;
                 wipe_line_on_interrupt();

@@ -125,6 +125,9 @@ Command add_trace(CLI::App& program) {
     return {parser, [parser, request](Output& output) {
                 require_scenes(*parser, request->scenes);
                 check_tree_arguments(*parser, request->tree, request->scenes);
+                refuse_vain_options(*parser, request->build,
+                                    {.seeds_more = true, .shows_cost = false});
+                refuse_vain_view(*parser, request->options.rays);
                 wipe_line_on_interrupt();
                 run_request(*request, output);
             }};

@@ -85,6 +85,11 @@ void run_request(TuneRequest& request, Output& output) {
     output.print(fmt::format("written: {}\n", request.json));
 }
 
+bool has_sampling_method(const lab::TuneOptions& options) {
+    return std::any_of(options.methods.begin(), options.methods.end(),
+                       [](const std::string& name) { return find_method(name).uses_sample(); });
+}
+
 }  // namespace
 
 Command add_tune(CLI::App& program) {
@@ -104,6 +109,10 @@ Command add_tune(CLI::App& program) {
         "The names of methods are explained by `coppice list`.");
     return {parser, [parser, request](Output& output) {
                 require_scenes(*parser, request->scenes);
+                refuse_vain(*parser, "--seed", !has_bounces(request->options.rays),
+                            "it is that of diffuse rays, and --kinds has none");
+                refuse_vain(*parser, "--rates", !has_sampling_method(request->options),
+                            "none of --methods takes a sample");
                 wipe_line_on_interrupt();
                 run_request(*request, output);
             }};

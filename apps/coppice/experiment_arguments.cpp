@@ -94,7 +94,7 @@ void add_what_to_run(CLI::App& parser, ExperimentRequest& request) {
                [&options] { options.report_parts = lab::ReportParts::numbers; });
 }
 
-void add_how_to_build(CLI::App& parser, BuildOptions& build) {
+void add_how_to_build(CLI::App& parser, KdOptions& build) {
     add_name(parser,
              {"--split", "RULE",
               listing("Where nodes are split", names_in(split_finder_registry())), "sah"},
@@ -149,6 +149,17 @@ void finish_options(ExperimentRequest& request) {
     }
     options.tolerance = request.tolerance_percent / 100.0;
     options.scenes.assign(request.scenes.begin(), request.scenes.end());
+}
+
+void refuse_vain_options(const CLI::App& parser, const lab::ExperimentOptions& options) {
+    refuse_vain(parser, "--size", options.rays.empty(),
+                "no rays are traced; name some with --rays");
+    refuse_vain_view(parser, options.rays);
+    const bool is_sampled = std::any_of(options.percents.begin(), options.percents.end(),
+                                        [](double percent) { return percent < 100.0; });
+    for (const char* const name : {"--sampler", "--samplers"}) {
+        refuse_vain(parser, name, !is_sampled, "a sample of 100 % is all; add some to --rates");
+    }
 }
 
 void refuse_other_options(const CLI::App& parser, const std::vector<std::string>& allowed,

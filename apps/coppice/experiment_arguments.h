@@ -27,6 +27,9 @@ void add_experiment_arguments(CLI::App& parser, ExperimentRequest& request);
 /// together.
 void finish_options(ExperimentRequest& request);
 
+/// Throws UsageError naming the first option given that has no effect on this experiment.
+void refuse_vain_options(const CLI::App& parser, const lab::ExperimentOptions& options);
+
 /// Throws UsageError if any option but those named and --out is given; `why` says why not.
 void refuse_other_options(const CLI::App& parser, const std::vector<std::string>& allowed,
                           const std::string& why);

@@ -132,6 +132,12 @@ CLI::Option* add_switch(CLI::App& command, const std::string& name, const std::s
     return command.add_flag_callback(name, turn_on, meaning)->disable_flag_override();
 }
 
+void refuse_vain(const CLI::App& command, const std::string& option, bool is_vain,
+                 std::string_view why) {
+    if (!is_vain || command.count(option) == 0) return;
+    throw UsageError(fmt::format("{}: it has no effect: {}", option, why));
+}
+
 CLI::Option* add_scenes(CLI::App& command, std::vector<std::string>& scenes) {
     return command.add_option("SCENE", scenes)->type_name("...");
 }

@@ -80,6 +80,11 @@ CLI::Option* add_vector(CLI::App& command, const OptionText& text, std::optional
 CLI::Option* add_switch(CLI::App& command, const std::string& name, const std::string& meaning,
                         const std::function<void()>& turn_on);
 
+/// Throws UsageError if an option was given that has no effect (`is_vain`); `why` says so, and what
+/// to do.
+void refuse_vain(const CLI::App& command, const std::string& option, bool is_vain,
+                 std::string_view why);
+
 /// The positional SCENE... of a command.
 CLI::Option* add_scenes(CLI::App& command, std::vector<std::string>& scenes);
 

@@ -40,4 +40,20 @@ void add_ray_kinds(CLI::App& parser, const OptionText& text,
     add_list_option(parser, text, read);
 }
 
+bool has_bounces(std::span<const lab::RayKind> kinds) {
+    return std::find(kinds.begin(), kinds.end(), lab::RayKind::diffuse) != kinds.end();
+}
+
+void refuse_vain_view(const CLI::App& parser, std::span<const lab::RayKind> kinds) {
+    const auto has = [&](lab::RayKind kind) {
+        return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+    };
+    const bool is_seen =
+        has(lab::RayKind::primary) || has(lab::RayKind::shadow) || has(lab::RayKind::diffuse);
+    for (const char* const name : {"--eye", "--look-at", "--up", "--fov"}) {
+        refuse_vain(parser, name, !is_seen,
+                    "no rays begin at the camera; primary, shadow and diffuse ones do");
+    }
+}
+
 }  // namespace coppice::app

@@ -18,4 +18,10 @@ void add_camera(CLI::App& parser, render::CameraWish& camera);
 void add_ray_kinds(CLI::App& parser, const OptionText& text,
                    std::span<const lab::RayKindEntry> known, std::vector<lab::RayKind>& kinds);
 
+/// True if there are diffuse rays, whose directions are random.
+[[nodiscard]] bool has_bounces(std::span<const lab::RayKind> kinds);
+
+/// Throws UsageError if a camera is given and none of the rays begin there.
+void refuse_vain_view(const CLI::App& parser, std::span<const lab::RayKind> kinds);
+
 }  // namespace coppice::app

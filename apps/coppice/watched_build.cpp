@@ -2,12 +2,14 @@
 
 #include "coppice/base/error.h"
 #include "coppice/base/timer.h"
+#include "coppice/builders/method.h"
 
 #include "interrupts.h"
 #include "output.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -94,6 +96,18 @@ void note_preset(const BuildReport& report) {
     if (report.preset_reason.empty()) return;
     print_message(
         fmt::format("note: {}: {} is taken instead", report.preset_reason, name_of(report.preset)));
+}
+
+void note_differences(const BuildReport& report) {
+    note_preset(report);
+    if (report.notes.empty()) return;
+    const BuildOptions own = find_method(report.method).options();
+    const std::vector<BuildNote> of_method = std::visit(
+        [&](const auto& options) { return notes_on(options, report.primitive_count); }, own);
+    for (const BuildNote& note : report.notes) {
+        if (std::find(of_method.begin(), of_method.end(), note) != of_method.end()) continue;
+        print_message(fmt::format("note: {}: {}", note.option, note.reason));
+    }
 }
 
 }  // namespace coppice::app

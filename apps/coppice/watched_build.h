@@ -18,4 +18,7 @@ void watch_build(lab::ProgressLine& progress, const std::string& what, const Bui
 /// Says on standard error that a memory limit led to another preset, if it did.
 void note_preset(const BuildReport& report);
 
+/// The same, and which options had no effect, but for those that the method has by itself.
+void note_differences(const BuildReport& report);
+
 }  // namespace coppice::app

@@ -12,7 +12,7 @@ namespace {
 // Items are the primitives in the sample.
 void build(benchmark::State& state, const std::string& rule) {
     const TriangleMeshView triangles = terrain().view();
-    BuildOptions options = options_at(state.range(0));
+    KdOptions options = options_at(state.range(0));
     options.split.rule = rule;
     const Sample sample = draw_sample(triangles, options.sample);
     for ([[maybe_unused]] const auto step : state) {

@@ -11,7 +11,7 @@ namespace {
 
 // Items are the tree's nodes.
 void measure_tree(benchmark::State& state) {
-    const KdTree tree = build_kd_tree(terrain().view());
+    const KdTree tree = build_kd_tree(terrain().view()).tree;
     for ([[maybe_unused]] const auto step : state) {
         benchmark::DoNotOptimize(measure(tree, SahCostModel{}));
     }

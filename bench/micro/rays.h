@@ -34,7 +34,7 @@ namespace coppice::bench {
 
 /// The terrain's 8-wide tree, ready to be traced.
 [[nodiscard]] inline const Bvh8Tracer& bvh8_tracer() {
-    static const Bvh8Tracer tracer(build_bvh8(terrain().view()));
+    static const Bvh8Tracer tracer(build_bvh8(terrain().view()).tree);
     return tracer;
 }
 
@@ -53,7 +53,7 @@ void run_rays(benchmark::State& state, const Query& query) {
 /// The same of `query(tree, ray)` with the terrain's k-d tree from a sample of range(0) percent.
 template <typename Query>
 void run_rays_kd(benchmark::State& state, const Query& query) {
-    const KdTree tree = build_kd_tree(terrain().view(), options_at(state.range(0)));
+    const KdTree tree = build_kd_tree(terrain().view(), options_at(state.range(0))).tree;
     run_rays(state, [&](const Ray& ray) { return query(tree, ray); });
 }
 

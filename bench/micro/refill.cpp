@@ -12,7 +12,7 @@ namespace {
 // Items are all primitives.
 void fill(benchmark::State& state) {
     const TriangleMeshView triangles = terrain().view();
-    const BuildOptions options = options_at(state.range(0));
+    const KdOptions options = options_at(state.range(0));
     const Skeleton skeleton = empty_leaves(sampled_tree(options));
     for ([[maybe_unused]] const auto step : state) {
         state.PauseTiming();

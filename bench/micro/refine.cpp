@@ -12,7 +12,7 @@ namespace {
 // Items are all primitives.
 void grow(benchmark::State& state) {
     const TriangleMeshView triangles = terrain().view();
-    const BuildOptions options = options_at(state.range(0));
+    const KdOptions options = options_at(state.range(0));
     const KdTree tree = refilled_tree(options);
     for ([[maybe_unused]] const auto step : state) {
         state.PauseTiming();

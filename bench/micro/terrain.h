@@ -45,8 +45,8 @@ namespace coppice::bench {
 }
 
 /// Options with a sample rate in percent, as benchmarks take it, and the leaf limit scaled by it.
-[[nodiscard]] inline BuildOptions options_at(std::int64_t percent) {
-    BuildOptions options;
+[[nodiscard]] inline KdOptions options_at(std::int64_t percent) {
+    KdOptions options;
     options.sample.rate = static_cast<double>(percent) / 100.0;
     options.split.max_leaf = static_cast<std::uint32_t>(
         std::max(1.0, std::round(options.split.max_leaf * options.sample.rate)));
@@ -54,12 +54,12 @@ namespace coppice::bench {
 }
 
 /// The first stages' results, to start later ones from.
-[[nodiscard]] inline KdTree sampled_tree(const BuildOptions& options) {
+[[nodiscard]] inline KdTree sampled_tree(const KdOptions& options) {
     const TriangleMeshView triangles = terrain().view();
     return build_on_sample(triangles, draw_sample(triangles, options.sample), options);
 }
 
-[[nodiscard]] inline KdTree refilled_tree(const BuildOptions& options) {
+[[nodiscard]] inline KdTree refilled_tree(const KdOptions& options) {
     return refill(empty_leaves(sampled_tree(options)), terrain().view(), options);
 }
 

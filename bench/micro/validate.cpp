@@ -12,7 +12,7 @@ namespace {
 // Items are the primitives.
 void validate_tree(benchmark::State& state) {
     const TriangleMeshView triangles = terrain().view();
-    const KdTree tree = build_kd_tree(triangles);
+    const KdTree tree = build_kd_tree(triangles).tree;
     for ([[maybe_unused]] const auto step : state) {
         const auto findings = validate(tree, triangles);
         if (!findings.empty()) state.SkipWithError(findings.front().message.c_str());

@@ -2,13 +2,15 @@
 // plane; a node becomes a leaf when it has few enough primitives, at the depth limit, when no plane
 // is offered, or after the allowed number of splits that do not pay. The rule `sah` sorts events
 // anew in every node: O(N log^2 N), simple, and what the thesis timed; see KdBuilder for the
-// recursion. The rule `exact` has a builder of its own, which gives the same tree sooner.
+// recursion. A rule that finds the cheapest end
+// has a builder of its own, which gives the same tree sooner.
 // Source: [Tsiompikas2022] sec. 4.3.1, [Pharr2016] sec. 4.4.
 
 #include "coppice/builders/build_on_sample.h"
 
 #include "coppice/base/parallel.h"
 
+#include "builders/chunk_sizes.h"
 #include "builders/kd/exact/exact_builder.h"
 #include "builders/kd/kd_builder.h"
 #include "builders/kd/partition.h"
@@ -38,34 +40,35 @@ TerminationRule termination_rule(const SplitOptions& split) {
     return {split.max_leaf, split.bad_refines, split.max_depth, SplitSearch::first_offer, 0.0};
 }
 
-TreePart build_part(PrimitiveSetView primitives, const BuildOptions& options,
-                    std::vector<PrimRef> prim_refs, const Aabb& box, MemoryMeter* meter,
-                    Progress* progress) {
+TreePart build_part(PrimitiveSetView primitives, const KdOptions& options,
+                    std::vector<PrimRef> prim_refs, const Aabb& box, const BuildContext& context) {
     const TerminationRule stop = termination_rule(options.split);
-    const NodeState root{.box = box, .share = progress != nullptr ? 1.0 : 0.0};
-    if (options.split.rule == "exact") {
-        return ExactBuilder(primitives, options, stop, meter, progress)
-            .build(std::move(prim_refs), root);
+    const NodeState root{.box = box};
+    const WorkShare work(context.progress);
+    if (split_finder_of(options.split).finds_cheapest_end()) {
+        return ExactBuilder(primitives, options, stop, context.memory)
+            .build(std::move(prim_refs), root, work);
     }
-    return KdBuilder(primitives, options, stop, meter, progress).build(std::move(prim_refs), root);
+    return KdBuilder(primitives, options, stop, context.memory)
+        .build(std::move(prim_refs), root, work);
 }
 
 }  // namespace
 
-KdTree build_on_sample(PrimitiveSetView primitives, const Sample& sample,
-                       const BuildOptions& options, MemoryMeter* meter, Progress* progress) {
-    constexpr std::size_t chunk_size = 16384;
+KdTree build_on_sample(PrimitiveSetView primitives, const Sample& sample, const KdOptions& options,
+                       const BuildContext& context) {
     const Aabb box = bounds_of_all(primitives);
     std::vector<PrimRef> prim_refs(sample.ids.size());
-    parallel_for_chunks(prim_refs.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const std::uint32_t id = sample.ids[i];
-            prim_refs[i] = {primitives.bounds(id), id,
-                            weight_at(sample, i, options.split.sample_weighting)};
-        }
-    });
-    Subtree tree = assemble(
-        build_part(primitives, options, std::move(prim_refs), box, meter, progress), meter);
+    parallel_for_chunks(
+        prim_refs.size(), primitives_per_task, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const std::uint32_t id = sample.ids[i];
+                prim_refs[i] = {primitives.bounds(id), id,
+                                weight_at(sample, i, options.split.sample_weighting)};
+            }
+        });
+    Subtree tree = assemble(build_part(primitives, options, std::move(prim_refs), box, context),
+                            context.memory);
     return {std::move(tree.nodes), std::move(tree.references), box};
 }
 

@@ -1,13 +1,45 @@
 #include "coppice/builders/draw_sample.h"
 
+#include "coppice/base/error.h"
+
+#include <algorithm>
+#include <functional>
 #include <numeric>
+#include <string>
 
 namespace coppice::inline v0 {
+namespace {
+
+// What samplers of the library do by construction.
+void require_sound(const Sample& sample, std::uint32_t primitive_count) {
+    const auto fail = [](const std::string& what) {
+        throw Error(ErrorCode::invalid_argument, "the custom sampler " + what);
+    };
+    if (sample.ids.empty()) fail("drew nothing");
+    if (sample.ids.back() >= primitive_count) {
+        fail("drew primitive " + std::to_string(sample.ids.back()) + " of " +
+             std::to_string(primitive_count));
+    }
+    if (std::adjacent_find(sample.ids.begin(), sample.ids.end(), std::greater_equal<>()) !=
+        sample.ids.end()) {
+        fail("drew ids that do not ascend");
+    }
+    if (!sample.weights.empty() && sample.weights.size() != sample.ids.size()) {
+        fail("gave " + std::to_string(sample.weights.size()) + " weights for " +
+             std::to_string(sample.ids.size()) + " primitives");
+    }
+}
+
+}  // namespace
 
 Sample draw_sample(PrimitiveSetView primitives, const SampleOptions& options) {
-    const Sampler& sampler = find_sampler(options.sampler);
+    const Sampler& sampler = sampler_of(options);
     const std::uint32_t count = sample_count(primitives.size(), options.rate);
-    if (count < primitives.size()) return sampler.draw(primitives, count, options);
+    if (count < primitives.size()) {
+        Sample sample = sampler.draw(primitives, count, options);
+        if (options.custom_sampler) require_sound(sample, primitives.size());
+        return sample;
+    }
     Sample all{std::vector<std::uint32_t>(count), {}, options};
     std::iota(all.ids.begin(), all.ids.end(), 0U);
     return all;

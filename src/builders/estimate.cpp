@@ -71,7 +71,8 @@ double touch_seconds(double byte_count) {
 
 int thread_count(const BuildOptions& options) {
     const int available = hardware_thread_count();
-    return options.threads > 0 ? std::min(options.threads, available) : available;
+    const int threads = threads_of(options);
+    return threads > 0 ? std::min(threads, available) : available;
 }
 
 BuildEstimate extrapolated(const ProbeBuild& smaller, const ProbeBuild& larger, double scale) {
@@ -84,10 +85,10 @@ BuildEstimate extrapolated(const ProbeBuild& smaller, const ProbeBuild& larger, 
 }
 
 // An estimate from probes of a scene, by `build(probe)`, which returns a ProbeBuild.
-template <typename Build>
-BuildEstimate estimate_by(PrimitiveSetView primitives, const BuildOptions& options,
+template <typename Options, typename Build>
+BuildEstimate estimate_by(PrimitiveSetView primitives, const Options& options,
                           const std::stop_token& stop, Build&& build) {
-    check(options);
+    require_valid(options);
     return with_memory_errors("the estimate", [&] {
         const bool is_small = primitives.size() < least_primitives;
         const std::uint32_t pieces =
@@ -113,19 +114,18 @@ BuildEstimate estimate_by(PrimitiveSetView primitives, const BuildOptions& optio
 
 }  // namespace
 
-BuildEstimate estimate_kd_tree(PrimitiveSetView primitives, const BuildOptions& options,
+BuildEstimate estimate_kd_tree(PrimitiveSetView primitives, const KdOptions& options,
                                const std::stop_token& stop) {
     return estimate_by(primitives, options, stop, [&](const Probe& probe) {
         // Of the cuts at the pieces' borders the tree would make some anyhow, and others not: what
         // is in a piece by such a cut counts half.
         const std::uint64_t sum = probe.size() + probe.centers().size();
-        ProbeBuild build{0.5 * static_cast<double>(sum), {}};
-        static_cast<void>(build_kd_tree(probe, options, &build.report, {.stop = stop}));
-        return build;
+        return ProbeBuild{0.5 * static_cast<double>(sum),
+                          build_kd_tree(probe, options, {.stop = stop}).report};
     });
 }
 
-BuildEstimate estimate_bvh8(TriangleMeshView mesh, const BuildOptions& options,
+BuildEstimate estimate_bvh8(TriangleMeshView mesh, const Bvh8Options& options,
                             const std::stop_token& stop) {
     return estimate_by(mesh, options, stop, [&](const Probe& probe) {
         // Whole triangles: object splits do not cut them.
@@ -133,12 +133,10 @@ BuildEstimate estimate_bvh8(TriangleMeshView mesh, const BuildOptions& options,
         for (const ProbeCenter& center : probe.centers()) {
             triangles.push_back(mesh.triangles()[center.id]);
         }
-        ProbeBuild build{static_cast<double>(triangles.size()), {}};
-        const BuildOptions probing =
-            bvh8::scaled_down(options, mesh.size(), build.size / mesh.size());
-        static_cast<void>(
-            build_bvh8({mesh.vertices(), triangles}, probing, &build.report, {.stop = stop}));
-        return build;
+        const auto size = static_cast<double>(triangles.size());
+        const Bvh8Options probing = bvh8::scaled_down(options, mesh.size(), size / mesh.size());
+        return ProbeBuild{size,
+                          build_bvh8({mesh.vertices(), triangles}, probing, {.stop = stop}).report};
     });
 }
 

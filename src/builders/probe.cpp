@@ -9,6 +9,7 @@
 #include "coppice/builders/build_on_sample.h"
 #include "coppice/builders/draw_sample.h"
 
+#include "builders/chunk_sizes.h"
 #include "builders/kd/partition.h"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ constexpr std::uint32_t sampled_per_piece = 16;
 constexpr std::uint32_t no_piece = std::numeric_limits<std::uint32_t>::max();
 
 KdTree divide(PrimitiveSetView primitives, std::uint32_t piece_count) {
-    BuildOptions options;
+    KdOptions options;
     options.sample.rate =
         std::min(1.0, double{sampled_per_piece} * piece_count / primitives.size());
     options.split.rule = "exact";  // fewest primitives cut
@@ -48,15 +49,14 @@ public:
     }
 
     [[nodiscard]] Probe probe() && {
-        constexpr std::size_t chunk_size = 16384;
-        std::vector<Found> chunks(primitives_.size() / chunk_size + 1);
-        parallel_for_chunks(primitives_.size(), chunk_size,
-                            [&](std::size_t begin, std::size_t end) {
-                                for (auto id = static_cast<std::uint32_t>(begin); id < end; ++id) {
-                                    const Aabb box = primitives_.bounds(id);
-                                    find(0, {id, box, middle_of(box)}, chunks[begin / chunk_size]);
-                                }
-                            });
+        std::vector<Found> chunks(primitives_.size() / primitives_per_task + 1);
+        parallel_for_chunks(
+            primitives_.size(), primitives_per_task, [&](std::size_t begin, std::size_t end) {
+                for (auto id = static_cast<std::uint32_t>(begin); id < end; ++id) {
+                    const Aabb box = primitives_.bounds(id);
+                    find(0, {id, box, middle_of(box)}, chunks[begin / primitives_per_task]);
+                }
+            });
         Found all;
         for (const Found& chunk : chunks) {
             all.parts.insert(all.parts.end(), chunk.parts.begin(), chunk.parts.end());

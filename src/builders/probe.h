@@ -1,6 +1,5 @@
 #pragma once
 
-#include "coppice/builders/build_options.h"
 #include "coppice/geom/aabb.h"
 #include "coppice/geom/primitive_set.h"
 #include "coppice/tree/kd_tree.h"

@@ -1,22 +1,12 @@
 #include "coppice/builders/progress.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace coppice::inline v0 {
 namespace {
 
 constexpr double told_step = 1e-3;
-
-// What is left to do for so many PrimRefs, in passes over them: one for each level where nodes are
-// large, and the rest in the cache. That it is 20 passes for the rest is an average of the methods.
-double work_below(std::size_t count) noexcept {
-    constexpr double small_node = 4096.0;
-    constexpr double small_passes = 20.0;
-    const auto n = static_cast<double>(count);
-    return n * (small_passes + std::max(0.0, std::log2(n / small_node)));
-}
 
 }  // namespace
 
@@ -49,16 +39,6 @@ void Progress::finish() {
 void Progress::tell(double done) {
     next_told_ = done + told_step;
     listener_(done);
-}
-
-NodeShares divide_share(double share, std::size_t count, std::size_t below,
-                        std::size_t above) noexcept {
-    if (share == 0.0) return {};
-    const auto own = static_cast<double>(count);
-    const double of_below = work_below(below);
-    const double of_above = work_below(above);
-    const double unit = share / (own + of_below + of_above);
-    return {unit * own, unit * of_below, unit * of_above};
 }
 
 }  // namespace coppice::inline v0

@@ -11,9 +11,11 @@
 #include "coppice/tree/walk.h"
 
 #include "base/free_memory.h"
+#include "builders/chunk_sizes.h"
 #include "builders/kd/partition.h"
 #include "builders/kd/top_tree.h"
 #include "builders/kd/tree_part.h"
+#include "builders/work_share.h"
 
 #include <fmt/format.h>
 
@@ -54,8 +56,7 @@ private:
     // fill() through many levels at once.
     void fill_cells(std::uint32_t index, std::vector<PrimRef> prim_refs,
                     std::vector<std::uint32_t>& references) {
-        constexpr int level_count = 10;
-        const KdTopTree top_tree(nodes_, {index, {}, 0}, level_count,
+        const KdTopTree top_tree(nodes_, {index, {}, 0}, levels_at_once,
                                  [](std::uint32_t) { return false; });
         auto of_cells = top_tree.distribute(std::move(prim_refs), division_);
         std::vector<std::vector<std::uint32_t>> parts(of_cells.size());
@@ -110,15 +111,15 @@ void place_references(std::vector<KdNode>& nodes, std::uint64_t reference_count)
 
 }  // namespace
 
-KdTree refill(Skeleton&& skeleton, PrimitiveSetView primitives, const BuildOptions& options,
-              MemoryMeter* meter, Progress* progress) {
+KdTree refill(Skeleton&& skeleton, PrimitiveSetView primitives, const KdOptions& options,
+              const BuildContext& context) {
     const Aabb box = skeleton.bounds();
     std::vector<KdNode> nodes = std::move(skeleton).release_nodes();
     std::vector<std::uint32_t> references;
-    Refill(nodes, {primitives, options.split.clipping, meter})
+    Refill(nodes, {primitives, options.split.clipping, context.memory})
         .fill(0, whole_prim_refs(primitives), references);
     place_references(nodes, references.size());
-    if (progress != nullptr) progress->add(1.0);
+    WorkShare(context.progress).done();
     return {std::move(nodes), std::move(references), box};
 }
 

@@ -4,13 +4,13 @@
 
 namespace coppice::inline v0 {
 
-KdTree refine(KdTree&& tree, PrimitiveSetView primitives, const BuildOptions& options,
-              MemoryMeter* meter, Progress* progress) {
+KdTree refine(KdTree&& tree, PrimitiveSetView primitives, const KdOptions& options,
+              const BuildContext& context) {
     switch (options.leaf_refinement) {
         case LeafRefinement::none:
             return std::move(tree);
         case LeafRefinement::kd:
-            return grow_kd(std::move(tree), primitives, options, meter, progress);
+            return grow_kd(std::move(tree), primitives, options, context);
     }
     return std::move(tree);
 }

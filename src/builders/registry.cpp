@@ -32,7 +32,7 @@ std::span<const SplitFinderEntry> split_finder_registry() {
                          exact},
         SplitFinderEntry{"binned", "as exact in small nodes, else bins and the ends near the best",
                          binned},
-        SplitFinderEntry{"subsampled", "as binned, from 1024 prim_refs of the node, bins only",
+        SplitFinderEntry{"subsampled", "as binned, from 1024 PrimRefs of the node, bins only",
                          subsampled},
         SplitFinderEntry{"adaptive", "8 even planes an axis and 8 where the counts change most",
                          adaptive},
@@ -42,6 +42,10 @@ std::span<const SplitFinderEntry> split_finder_registry() {
 
 const SplitFinder& find_split_finder(std::string_view name) {
     return find_named(split_finder_registry(), name, "split rule").finder;
+}
+
+const SplitFinder& split_finder_of(const SplitOptions& options) {
+    return options.custom_rule ? *options.custom_rule : find_split_finder(options.rule);
 }
 
 }  // namespace coppice::inline v0

@@ -3,6 +3,8 @@
 #include "coppice/base/error.h"
 #include "coppice/base/parallel.h"
 
+#include "builders/chunk_sizes.h"
+
 #include <fmt/format.h>
 
 #include <atomic>
@@ -22,22 +24,22 @@ bool is_valid(PrimitiveSetView primitives, std::uint32_t first, std::uint32_t la
 }  // namespace
 
 void require_usable(PrimitiveSetView primitives) {
-    constexpr std::size_t chunk_size = 16384;
     std::atomic<bool> are_valid = true;
     std::atomic<std::uint32_t> first_bad = primitives.size();
-    parallel_for_chunks(primitives.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
-        auto id = static_cast<std::uint32_t>(begin);
-        if (!is_valid(primitives, id, static_cast<std::uint32_t>(end))) {
-            are_valid = false;
-            return;
-        }
-        while (id < end && primitives.bounds(id).is_finite()) {
-            ++id;
-        }
-        std::uint32_t first = first_bad;
-        while (id < end && id < first && !first_bad.compare_exchange_weak(first, id)) {
-        }
-    });
+    parallel_for_chunks(
+        primitives.size(), primitives_per_task, [&](std::size_t begin, std::size_t end) {
+            auto id = static_cast<std::uint32_t>(begin);
+            if (!is_valid(primitives, id, static_cast<std::uint32_t>(end))) {
+                are_valid = false;
+                return;
+            }
+            while (id < end && primitives.bounds(id).is_finite()) {
+                ++id;
+            }
+            std::uint32_t first = first_bad;
+            while (id < end && id < first && !first_bad.compare_exchange_weak(first, id)) {
+            }
+        });
     if (!are_valid) primitives.require_valid(0, primitives.size());  // names the first
     if (first_bad == primitives.size()) return;
     throw Error(ErrorCode::invalid_argument,

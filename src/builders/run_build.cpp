@@ -9,13 +9,12 @@
 
 namespace coppice::inline v0 {
 
-void run_build(const BuildOptions& options, const BuildControl& control,
-               const std::function<void(Progress*)>& build) {
-    check(options);
+void run_watched(int threads, const BuildControl& control,
+                 const std::function<void(Progress*)>& work) {
     std::optional<Progress> progress;
     if (control.on_progress) progress.emplace(control.on_progress);
     run_with_threads(
-        options.threads, [&] { build(progress ? &*progress : nullptr); }, control.stop);
+        threads, [&] { work(progress ? &*progress : nullptr); }, control.stop);
     if (progress) progress->finish();
 }
 

@@ -1,24 +1,88 @@
 #pragma once
 
+#include "coppice/base/memory_meter.h"
+#include "coppice/builders/build_context.h"
 #include "coppice/builders/build_control.h"
-#include "coppice/builders/build_options.h"
 #include "coppice/builders/build_report.h"
-#include "coppice/builders/progress.h"
+#include "coppice/cost/measure.h"
 
+#include "builders/stage_clock.h"
+
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace coppice::inline v0 {
 
-/// Runs a build as its options and control say: checks the options, and tells `control` of the
-/// progress; `build` gets null if nobody asks for it. Throws Error(cancelled) after a stop.
-void run_build(const BuildOptions& options, const BuildControl& control,
-               const std::function<void(Progress*)>& build);
+/// A build while it runs: what its stages tell is gathered here.
+class BuildRun {
+public:
+    /// Both must outlive it; the progress may be null.
+    BuildRun(BuildReport& report, Progress* progress) noexcept
+        : report_(report), progress_(progress) {}
 
-/// The next stage of a build, if anybody asks; see Progress.
-inline void begin_stage(Progress* progress, double share) {
-    if (progress != nullptr) progress->begin_stage(share);
+    [[nodiscard]] BuildReport& report() noexcept { return report_; }
+
+    [[nodiscard]] BuildContext context() noexcept { return {&meter_, progress_}; }
+
+    [[nodiscard]] std::uint64_t peak_bytes() const noexcept { return meter_.peak_bytes(); }
+
+    /// What follows is `share` of the whole, for the progress.
+    void begin(double share) {
+        if (progress_ != nullptr) progress_->begin_stage(share);
+    }
+
+    /// Runs a stage that is `share` of the whole: `work()` returns its result, and `items(result)`
+    /// is how many came out of it. Reports what it took.
+    template <typename Work, typename Items>
+    auto stage(StageReport& report, double share, Work&& work, Items&& items) {
+        begin(share);
+        auto result = work();
+        report = clock_.lap(static_cast<std::uint64_t>(items(std::as_const(result))));
+        return result;
+    }
+
+private:
+    BuildReport& report_;
+    Progress* progress_;
+    MemoryMeter meter_;
+    StageClock clock_;
+};
+
+/// The report of a build that begins: what is asked for.
+template <typename Options>
+[[nodiscard]] BuildReport begin_report(const Options& options, std::uint32_t primitive_count) {
+    BuildReport report;
+    report.options = options;
+    report.sample = options.sample;
+    report.primitive_count = primitive_count;
+    report.notes = notes_on(options, primitive_count);
+    return report;
+}
+
+/// Runs work with at most `threads` threads as a build's control says: it gets what to tell the
+/// progress, null if nobody asks. Throws Error(cancelled) after a stop.
+void run_watched(int threads, const BuildControl& control,
+                 const std::function<void(Progress*)>& work);
+
+/// What all builds have in common: runs `pipeline(run)`, which returns the tree, and measures that,
+/// which is `measure_share` of the whole.
+template <typename Options, typename Pipeline>
+[[nodiscard]] auto run_build(const Options& options, const BuildControl& control,
+                             BuildReport& report, double measure_share, Pipeline&& pipeline) {
+    std::invoke_result_t<Pipeline&, BuildRun&> tree;
+    run_watched(options.threads, control, [&](Progress* progress) {
+        BuildRun run(report, progress);
+        tree = pipeline(run);
+        report.tree_bytes = tree.byte_count();
+        report.peak_bytes = std::max(run.peak_bytes(), report.tree_bytes);
+        if (!control.is_measured) return;
+        run.begin(measure_share);
+        report.statistics = measure(tree, options.cost);
+    });
+    return tree;
 }
 
 /// True if a build keeps within the limit, or there is none.

@@ -39,9 +39,9 @@ private:
             sum_.add_leaf(at.depth, probability, count, count, cost);
             return cost;
         }
-        sum_.add_inner(at.depth, probability, model_.traversal);
+        sum_.add_inner(at.depth, probability, model_.traversal_cost());
         const double area = at.box.surface_area();
-        double cost = model_.traversal;
+        double cost = model_.traversal_cost();
         const auto visit_child = [&](std::uint32_t child, const Aabb& box) {
             const double share = area > 0.0 ? box.surface_area() / area : 0.0;
             cost += share * visit({child, box, at.depth + 1}, share * probability);
@@ -69,7 +69,7 @@ public:
 private:
     void visit(std::uint32_t index, double probability, int depth) {
         if (depth <= depth_of_looks / 3) throw_if_cancelled();
-        sum_.add_inner(depth, probability, model_.traversal);
+        sum_.add_inner(depth, probability, model_.traversal_cost());
         const Bvh8Node& node = tree_.nodes()[index];
         for (std::size_t slot = 0; slot < bvh8_width; ++slot) {
             const Bvh8Child child = node.child[slot];

@@ -12,13 +12,14 @@ namespace coppice::inline v0 {
 
 double SahCostModel::split_cost(double p_below, double count_below, double p_above,
                                 double count_above) const noexcept {
+    if (custom) return custom->split_cost(p_below, count_below, p_above, count_above);
     const bool cuts_off_empty_space = count_below == 0.0 || count_above == 0.0;
     const double factor = cuts_off_empty_space ? 1.0 - empty_bonus : 1.0;
     return sah::scalar::split_cost(traversal, intersection * factor, p_below, count_below, p_above,
                                    count_above);
 }
 
-void check(const SahCostModel& model) {
+void require_valid(const SahCostModel& model) {
     const auto require = [](bool holds, const char* name, double value, const char* range) {
         if (holds) return;
         throw Error(ErrorCode::invalid_argument,

@@ -6,30 +6,43 @@
 
 namespace coppice::inline v0 {
 
-void to_json(nlohmann::json& json, const BuildOptions& options) {
-    json = {{"sample",
-             {{"rate", options.sample.rate},
-              {"sampler", options.sample.sampler},
-              {"seed", options.sample.seed},
-              {"uniform_share", options.sample.uniform_share}}},
+void to_json(nlohmann::json& json, const SampleOptions& options) {
+    json = {{"rate", options.rate},
+            {"sampler", options.custom_sampler ? "custom" : options.sampler},
+            {"seed", options.seed},
+            {"uniform_share", options.uniform_share}};
+}
+
+void to_json(nlohmann::json& json, const KdOptions& options) {
+    const SplitOptions& split = options.split;
+    json = {{"sample", options.sample},
             {"split",
-             {{"rule", options.split.rule},
-              {"max_depth", options.split.max_depth},
-              {"max_leaf", options.split.max_leaf},
-              {"bad_refines", options.split.bad_refines},
-              {"clipping", name_of(options.split.clipping)},
-              {"sample_weighting", name_of(options.split.sample_weighting)},
-              {"termination", name_of(options.split.termination)},
-              {"min_split", options.split.min_split},
-              {"max_duplication", options.split.max_duplication}}},
+             {{"rule", split.custom_rule ? "custom" : split.rule},
+              {"max_depth", split.max_depth},
+              {"max_leaf", split.max_leaf},
+              {"bad_refines", split.bad_refines},
+              {"clipping", name_of(split.clipping)},
+              {"sample_weighting", name_of(split.sample_weighting)},
+              {"termination", name_of(split.termination)},
+              {"min_split", split.min_split},
+              {"max_duplication", split.max_duplication}}},
             {"leaf_refinement", name_of(options.leaf_refinement)},
             {"cost", options.cost},
-            {"bvh8",
-             {{"preset", name_of(options.bvh8.preset)},
-              {"expected_rays", options.bvh8.expected_rays},
-              {"cell_size", options.bvh8.cell_size},
-              {"sampled_from", options.bvh8.sampled_from}}},
             {"threads", options.threads}};
+}
+
+void to_json(nlohmann::json& json, const Bvh8Options& options) {
+    json = {{"sample", options.sample},
+            {"preset", name_of(options.preset)},
+            {"expected_rays", options.expected_rays},
+            {"cell_size", options.cell_size},
+            {"sampled_from", options.sampled_from},
+            {"cost", options.cost},
+            {"threads", options.threads}};
+}
+
+void to_json(nlohmann::json& json, const BuildOptions& options) {
+    std::visit([&](const auto& of) { to_json(json, of); }, options);
 }
 
 }  // namespace coppice::inline v0

@@ -24,6 +24,14 @@ nlohmann::json stages_json(const StageReports& stages) {
              {{"wall_seconds", stages.wall_seconds()}, {"cpu_seconds", stages.cpu_seconds()}}}};
 }
 
+nlohmann::json notes_json(const std::vector<BuildNote>& notes) {
+    nlohmann::json array = nlohmann::json::array();
+    for (const BuildNote& note : notes) {
+        array.push_back({{"option", note.option}, {"reason", note.reason}});
+    }
+    return array;
+}
+
 }  // namespace
 
 void to_json(nlohmann::json& json, const BuildEstimate& estimate) {
@@ -36,6 +44,8 @@ void to_json(nlohmann::json& json, const BuildEstimate& estimate) {
 void to_json(nlohmann::json& json, const BuildReport& report) {
     json = {{"options", report.options},
             {"method", report.method},
+            {"sample", report.sample},
+            {"notes", notes_json(report.notes)},
             {"primitive_count", report.primitive_count},
             {"sample_count", report.sample_count},
             {"stages", stages_json(report.stages)},

@@ -34,6 +34,20 @@ const Sampler& find_sampler(std::string_view name) {
     return find_named(sampler_registry(), name, "sampler").sampler;
 }
 
+const Sampler& sampler_of(const SampleOptions& options) {
+    return options.custom_sampler ? *options.custom_sampler : find_sampler(options.sampler);
+}
+
+void require_valid(const SampleOptions& options) {
+    static_cast<void>(sample_count(1, options.rate));
+    static_cast<void>(sampler_of(options));
+    const double share = options.uniform_share;
+    if (!(share >= 0.0 && share <= 1.0)) {
+        throw Error(ErrorCode::invalid_argument,
+                    fmt::format("uniform share {} is outside [0, 1]", share));
+    }
+}
+
 std::uint32_t sample_count(std::uint32_t count, double rate) {
     if (!(rate > 0.0 && rate <= 1.0)) {
         throw Error(ErrorCode::invalid_argument,

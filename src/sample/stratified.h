@@ -6,6 +6,10 @@ namespace coppice::inline v0 {
 
 /// Every primitive with the same probability, one from each stretch of a Morton curve.
 class StratifiedSampler final : public EquidistantSampler {
+public:
+    [[nodiscard]] bool uses_uniform_share() const noexcept override { return false; }
+
+private:
     [[nodiscard]] InclusionProbability choose(std::span<const float> diagonals, std::uint32_t count,
                                               const SampleOptions& options) const override;
 };

@@ -16,17 +16,22 @@ bool is_crowded(const KdTree& tree) noexcept {
     });
 }
 
-KdTree build_to_search(PointCloudView points, BuildReport& report) {
-    BuildOptions options = PointScene::search_options();
-    KdTree tree = build_kd_tree(points, options, &report);
-    if (!is_crowded(tree)) return tree;
+KdBuild build_to_search(PointCloudView points) {
+    KdOptions options = PointScene::search_options();
+    KdBuild build = build_kd_tree(points, options);
+    if (!is_crowded(build.tree)) return build;
     options.split.rule = "median";
-    return build_kd_tree(points, options, &report);
+    return build_kd_tree(points, options);
+}
+
+KdTree take_tree(KdBuild&& build, BuildReport& report) {
+    report = std::move(build.report);
+    return std::move(build.tree);
 }
 
 }  // namespace
 
-BuildOptions PointScene::search_options() {
+KdOptions PointScene::search_options() {
     return {.sample = {.rate = 1.0 / 32.0},
             .split = {.rule = "midpoint",
                       .max_depth = KdTree::max_depth,
@@ -37,10 +42,12 @@ BuildOptions PointScene::search_options() {
 
 PointScene::PointScene(std::vector<Vec3f> points)
     : points_(std::move(points)),
-      search_(build_to_search(PointCloudView(points_), report_), PointCloudView(points_)) {}
+      search_(take_tree(build_to_search(PointCloudView(points_)), report_),
+              PointCloudView(points_)) {}
 
-PointScene::PointScene(std::vector<Vec3f> points, const BuildOptions& options)
+PointScene::PointScene(std::vector<Vec3f> points, const KdOptions& options)
     : points_(std::move(points)),
-      search_(build_kd_tree(PointCloudView(points_), options, &report_), PointCloudView(points_)) {}
+      search_(take_tree(build_kd_tree(PointCloudView(points_), options), report_),
+              PointCloudView(points_)) {}
 
 }  // namespace coppice::inline v0

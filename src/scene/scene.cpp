@@ -5,10 +5,18 @@
 #include <utility>
 
 namespace coppice::inline v0 {
+namespace {
 
-Scene::Scene(TriangleMesh mesh, const BuildOptions& options, const BuildControl& control)
+Bvh8 take_tree(Bvh8Build&& build, BuildReport& report) {
+    report = std::move(build.report);
+    return std::move(build.tree);
+}
+
+}  // namespace
+
+Scene::Scene(TriangleMesh mesh, const Bvh8Options& options, const BuildControl& control)
     : mesh_(std::move(mesh)),
-      tracer_(build_bvh8(mesh_.view(), options, &report_, control)),
+      tracer_(take_tree(build_bvh8(mesh_.view(), options, control), report_)),
       search_(tracer_.tree()) {}
 
 std::optional<Hit> Scene::intersect(const Ray& ray) const noexcept {

@@ -28,15 +28,15 @@ namespace coppice::test {
 namespace {
 
 // Small cells and no crossover, so that small scenes go the way of large ones.
-std::vector<BuildOptions> all_ways() {
-    std::vector<BuildOptions> ways;
+std::vector<Bvh8Options> all_ways() {
+    std::vector<Bvh8Options> ways;
     for (const double rate : {1.0, 0.2}) {
         for (const char* sampler : {"weighted", "uniform"}) {
-            ways.push_back({.sample = {.rate = rate, .sampler = sampler},
-                            .bvh8 = {.cell_size = 64, .sampled_from = 0}});
+            ways.push_back(
+                {.sample = {.rate = rate, .sampler = sampler}, .cell_size = 64, .sampled_from = 0});
         }
     }
-    ways.push_back({.bvh8 = {.preset = Bvh8Preset::quality}});
+    ways.push_back({.preset = Bvh8Preset::quality});
     return ways;
 }
 
@@ -44,23 +44,23 @@ class BuildBvh8Scene : public testing::TestWithParam<NamedScene> {};
 
 TEST_P(BuildBvh8Scene, GivesSoundTrees) {
     const TriangleMesh mesh = GetParam().make();
-    for (const BuildOptions& options : all_ways()) {
-        EXPECT_TRUE(is_sound(build_bvh8(mesh.view(), options), mesh.view()))
+    for (const Bvh8Options& options : all_ways()) {
+        EXPECT_TRUE(is_sound(build_bvh8(mesh.view(), options).tree, mesh.view()))
             << options.sample.sampler << " " << options.sample.rate;
     }
 }
 
 TEST_P(BuildBvh8Scene, IsTheSameForAllThreadsAndInstructionSets) {
     const TriangleMesh mesh = GetParam().make();
-    for (BuildOptions options : all_ways()) {
-        const Bvh8 expected = build_bvh8(mesh.view(), options);
+    for (Bvh8Options options : all_ways()) {
+        const Bvh8 expected = build_bvh8(mesh.view(), options).tree;
         for (const int threads : {1, 2, 3, 8}) {
             options.threads = threads;
-            EXPECT_TRUE(is_same(build_bvh8(mesh.view(), options), expected)) << threads;
+            EXPECT_TRUE(is_same(build_bvh8(mesh.view(), options).tree, expected)) << threads;
         }
         for (const Isa isa : available_isas()) {
             const ForceIsa force(isa);
-            EXPECT_TRUE(is_same(build_bvh8(mesh.view(), options), expected)) << name_of(isa);
+            EXPECT_TRUE(is_same(build_bvh8(mesh.view(), options).tree, expected)) << name_of(isa);
         }
     }
 }
@@ -87,9 +87,9 @@ testing::AssertionResult agrees(const Bvh8Tracer& tracer, TriangleMeshView mesh,
 
 TEST_P(BuildBvh8Scene, IsHitAsByBruteForce) {
     const TriangleMesh mesh = GetParam().make();
-    const KdTree planes = build_kd_tree(mesh.view());
-    for (const BuildOptions& options : all_ways()) {
-        const Bvh8 tree = build_bvh8(mesh.view(), options);
+    const KdTree planes = build_kd_tree(mesh.view()).tree;
+    for (const Bvh8Options& options : all_ways()) {
+        const Bvh8 tree = build_bvh8(mesh.view(), options).tree;
         for (const Isa isa : available_isas()) {
             const Bvh8Tracer tracer(tree, isa);
             EXPECT_TRUE(agrees(tracer, mesh.view(), RaySource(mesh, planes, 41))) << name_of(isa);
@@ -101,10 +101,8 @@ INSTANTIATE_TEST_SUITE_P(Seed41, BuildBvh8Scene, testing::ValuesIn(scene_matrix(
 
 TEST(BuildBvh8, CountsWhatItBuilt) {
     const TriangleMesh mesh = make_sphere(60, 61);
-    BuildReport report;
-    const Bvh8 tree = build_bvh8(
-        mesh.view(), {.sample = {.rate = 0.1, .sampler = "weighted"}, .bvh8 = {.sampled_from = 0}},
-        &report);
+    const auto [tree, report] = build_bvh8(
+        mesh.view(), {.sample = {.rate = 0.1, .sampler = "weighted"}, .sampled_from = 0});
     EXPECT_EQ(report.primitive_count, mesh.triangles.size());
     EXPECT_EQ(report.statistics.reference_count, mesh.triangles.size());
     EXPECT_EQ(report.statistics.inner_count, tree.nodes().size());
@@ -113,22 +111,20 @@ TEST(BuildBvh8, CountsWhatItBuilt) {
 
 TEST(BuildBvh8, DoesNotSampleSmallScenes) {
     const TriangleMesh mesh = make_sphere(60, 61);
-    BuildReport report;
-    const Bvh8 sampled = build_bvh8(mesh.view(), {.sample = {.rate = 0.1}}, &report);
+    const auto [sampled, report] = build_bvh8(mesh.view(), {.sample = {.rate = 0.1}});
     EXPECT_EQ(report.sample_count, mesh.triangles.size());
-    EXPECT_TRUE(is_same(sampled, build_bvh8(mesh.view())));
+    EXPECT_TRUE(is_same(sampled, build_bvh8(mesh.view()).tree));
 }
 
 // The method auto is what the library does by itself; the report tells the sample that was drawn.
 TEST(BuildBvh8, AutomaticSamplesAsThePresetThatItTakes) {
     const TriangleMesh mesh = make_sphere(60, 61);
     const auto built = [&](const char* method, double expected_rays) {
-        BuildOptions options = method == nullptr ? BuildOptions{} : find_method(method).options();
-        options.bvh8.sampled_from = 0;
-        options.bvh8.expected_rays = expected_rays;
-        BuildReport report;
-        Bvh8 tree = build_bvh8(mesh.view(), options, &report);
-        return std::pair(std::move(tree), report);
+        Bvh8Options options =
+            method == nullptr ? Bvh8Options{} : find_method(method).bvh8_options();
+        options.sampled_from = 0;
+        options.expected_rays = expected_rays;
+        return build_bvh8(mesh.view(), options);
     };
     for (const double rays : {0.0, 1e9}) {
         const auto [by_options, report] = built(nullptr, rays);
@@ -136,7 +132,7 @@ TEST(BuildBvh8, AutomaticSamplesAsThePresetThatItTakes) {
         const auto [named, named_report] = built(rays == 0.0 ? "fast" : "quality", rays);
         EXPECT_TRUE(is_same(by_options, named)) << rays;
         EXPECT_TRUE(is_same(by_name, named)) << rays;
-        EXPECT_EQ(report.options.sample.rate, rays == 0.0 ? 0.01 : 1.0);
+        EXPECT_EQ(report.sample.rate, rays == 0.0 ? 0.01 : 1.0);
         EXPECT_EQ(report_by_name.sample_count, named_report.sample_count);
     }
 }
@@ -162,8 +158,8 @@ TEST(BuildBvh8, SplitsTheWallsOfARoom) {
         mesh = joined(std::move(mesh), make_sheet(1, {-10, at, -10}, {20, 0, 0}, {0, 0, 20}));
         mesh = joined(std::move(mesh), make_sheet(1, {-10, -10, at}, {20, 0, 0}, {0, 20, 0}));
     }
-    for (const BuildOptions& options : all_ways()) {
-        const Bvh8 tree = build_bvh8(mesh.view(), options);
+    for (const Bvh8Options& options : all_ways()) {
+        const Bvh8 tree = build_bvh8(mesh.view(), options).tree;
         for (const Bvh8Node& node : tree.nodes()) {
             for (std::size_t slot = 0; slot < bvh8_width; ++slot) {
                 if (!node.child[slot].is_leaf()) continue;
@@ -176,7 +172,7 @@ TEST(BuildBvh8, SplitsTheWallsOfARoom) {
 
 TEST(BuildBvh8, LeavesTriangleTogetherThatSplitsCannotPart) {
     const TriangleMesh slopes = repeated(make_triangle({Vec3f{0, 0, 0}, {9, 9, 0}, {0, 9, 9}}), 64);
-    EXPECT_EQ(build_bvh8(slopes.view()).blocks().size(), 8U);
+    EXPECT_EQ(build_bvh8(slopes.view()).tree.blocks().size(), 8U);
 }
 
 TEST(BuildBvh8, NamesTheFirstTriangleThatIsNotFinite) {
@@ -200,7 +196,7 @@ TEST(BuildBvh8, IsNeverTooDeep) {
         mesh = joined(std::move(mesh), scaled(make_soup(1, 0.5F, 3), size));
         size *= 0.9F;
     }
-    EXPECT_TRUE(is_sound(build_bvh8(mesh.view()), mesh.view()));
+    EXPECT_TRUE(is_sound(build_bvh8(mesh.view()).tree, mesh.view()));
 }
 
 // Cells by planes hold more references than there are triangles.

@@ -19,7 +19,7 @@
 namespace coppice::test {
 namespace {
 
-KdTree build_on(const TriangleMesh& mesh, const BuildOptions& options) {
+KdTree build_on(const TriangleMesh& mesh, const KdOptions& options) {
     return build_on_sample(mesh.view(), draw_sample(mesh.view(), options.sample), options);
 }
 
@@ -34,10 +34,10 @@ TEST_P(BuildOnSampleScene, StopsWhereItShould) {
     const TriangleMeshView view = mesh.view();
     for (const std::uint32_t max_leaf : {1U, 10U}) {
         for (const int bad_refines : {1, 3}) {
-            const BuildOptions options{.split = {.rule = std::get<std::string>(GetParam()),
-                                                 .max_depth = 20,
-                                                 .max_leaf = max_leaf,
-                                                 .bad_refines = bad_refines}};
+            const KdOptions options{.split = {.rule = std::get<std::string>(GetParam()),
+                                              .max_depth = 20,
+                                              .max_leaf = max_leaf,
+                                              .bad_refines = bad_refines}};
             const KdTree tree = build_on(mesh, options);
             std::vector<int> bad_so_far(tree.nodes().size(), 0);
             descend(tree, view, options.split.clipping,
@@ -163,7 +163,7 @@ TEST(BuildOnSample, LeavesScenesWithoutAreaWhole) {
 
 TEST(BuildOnSample, CountsWhatSampledPrimitivesStandFor) {
     const TriangleMesh mesh = make_soup(2000, 0.05F, 4);
-    BuildOptions options{.sample = {.rate = 0.1}, .split = {.max_leaf = 200}};
+    KdOptions options{.sample = {.rate = 0.1}, .split = {.max_leaf = 200}};
     EXPECT_EQ(build_on(mesh, options).nodes().size(), 1U) << "200 sampled ones";
     options.split.sample_weighting = SampleWeighting::expected;
     EXPECT_GT(build_on(mesh, options).nodes().size(), 1U) << "they stand for 2000";

@@ -1,97 +1,29 @@
 #include "coppice/builders/build_options.h"
 
-#include "coppice/base/error.h"
-
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <string>
 
 namespace coppice::test {
 namespace {
 
-using testing::HasSubstr;
-using testing::StartsWith;
-
-std::string error_of(const BuildOptions& options) {
-    try {
-        check(options);
-    } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ErrorCode::invalid_argument);
-        return error.what();
+TEST(BuildOptions, GiveWhatBothKindsHave) {
+    for (BuildOptions options : {BuildOptions(KdOptions{}), BuildOptions(Bvh8Options{})}) {
+        sample_of(options).rate = 0.25;
+        cost_of(options).traversal = 7.0;
+        set_threads(options, 3);
+        std::visit(
+            [](const auto& of) {
+                EXPECT_EQ(of.sample.rate, 0.25);
+                EXPECT_EQ(of.cost.traversal, 7.0);
+                EXPECT_EQ(of.threads, 3);
+            },
+            options);
+        const BuildOptions& seen = options;
+        EXPECT_EQ(sample_of(seen).rate, 0.25);
+        EXPECT_EQ(cost_of(seen).traversal, 7.0);
+        EXPECT_EQ(threads_of(seen), 3);
     }
-    return "";
-}
-
-TEST(CheckBuildOptions, AcceptsItsRanges) {
-    EXPECT_EQ(error_of({}), "");
-    EXPECT_EQ(error_of({.sample = {.rate = 1e-300}}), "");
-    EXPECT_EQ(error_of({.split = {.max_depth = 0, .max_leaf = 1, .bad_refines = 1}}), "");
-    EXPECT_EQ(error_of({.split = {.max_depth = 60,
-                                  .max_leaf = std::numeric_limits<std::uint32_t>::max(),
-                                  .bad_refines = std::numeric_limits<int>::max()}}),
-              "");
-    EXPECT_EQ(error_of({.threads = 1000}), "");
-}
-
-TEST(CheckBuildOptions, NamesWhatIsOutside) {
-    EXPECT_EQ(error_of({.sample = {.rate = 1.5}}), "sample rate 1.5 is outside (0, 1]");
-    EXPECT_THAT(error_of({.sample = {.rate = std::nan("")}}), StartsWith("sample rate nan"));
-    EXPECT_EQ(error_of({.sample = {.uniform_share = -0.5}}),
-              "uniform share -0.5 is outside [0, 1]");
-    EXPECT_EQ(error_of({.split = {.max_depth = -1}}), "max depth -1 is outside [0, 60]");
-    EXPECT_EQ(error_of({.split = {.max_depth = 61}}), "max depth 61 is outside [0, 60]");
-    EXPECT_EQ(error_of({.split = {.max_leaf = 0}}), "max leaf 0 is outside [1, 2^32)");
-    EXPECT_EQ(error_of({.split = {.bad_refines = 0}}), "bad refines 0 is outside [1, 2^31)");
-    EXPECT_EQ(error_of({.split = {.bad_refines = -7}}), "bad refines -7 is outside [1, 2^31)");
-    EXPECT_EQ(error_of({.split = {.max_duplication = 0}}),
-              "max duplication 0 is outside [1, 2^32)");
-    EXPECT_EQ(error_of({.split = {.min_split = 0}}), "min split 0 is outside [1, 2^32)");
-    EXPECT_EQ(error_of({.threads = -1}), "threads -1 is outside [0, 2^31)");
-    EXPECT_EQ(error_of({.cost = {.traversal = -1.0}}), "traversal cost -1 is outside [0, inf)");
-}
-
-TEST(CheckBuildOptions, NamesWhatExists) {
-    EXPECT_THAT(error_of({.sample = {.sampler = "best"}}),
-                StartsWith("no sampler 'best'; there are: uniform"));
-    EXPECT_THAT(error_of({.split = {.rule = "best"}}),
-                StartsWith("no split rule 'best'; there are: sah, median, midpoint"));
-}
-
-TEST(BuildOptions, EnumeratorsHaveStableNames) {
-    EXPECT_STREQ(name_of(Clipping::perfect), "perfect");
-    EXPECT_STREQ(name_of(Clipping::bounding_box), "bounding_box");
-    EXPECT_STREQ(name_of(SampleWeighting::sampled), "sampled");
-    EXPECT_STREQ(name_of(SampleWeighting::expected), "expected");
-    EXPECT_STREQ(name_of(Termination::limits), "limits");
-    EXPECT_STREQ(name_of(Termination::sah), "sah");
-    EXPECT_STREQ(name_of(Bvh8Preset::automatic), "automatic");
-    EXPECT_STREQ(name_of(Bvh8Preset::fast), "fast");
-    EXPECT_STREQ(name_of(Bvh8Preset::balanced), "balanced");
-    EXPECT_STREQ(name_of(Bvh8Preset::quality), "quality");
-    EXPECT_STREQ(name_of(LeafRefinement::none), "none");
-    EXPECT_STREQ(name_of(LeafRefinement::kd), "kd");
-}
-
-TEST(BuildOptions, DefaultsAreDocumented) {
-    const BuildOptions options;
-    EXPECT_EQ(options.sample.rate, 1.0);
-    EXPECT_EQ(options.sample.sampler, "uniform");
-    EXPECT_EQ(options.sample.seed, 1U);
-    EXPECT_EQ(options.split.rule, "sah");
-    EXPECT_EQ(options.split.max_depth, 50);
-    EXPECT_EQ(options.split.max_leaf, 32U);
-    EXPECT_EQ(options.split.bad_refines, 3);
-    EXPECT_EQ(options.split.clipping, Clipping::perfect);
-    EXPECT_EQ(options.split.sample_weighting, SampleWeighting::sampled);
-    EXPECT_EQ(options.split.termination, Termination::limits);
-    EXPECT_EQ(options.split.min_split, 1U);
-    EXPECT_EQ(options.split.max_duplication, std::numeric_limits<std::uint32_t>::max());
-    EXPECT_EQ(options.leaf_refinement, LeafRefinement::kd);
-    EXPECT_EQ(options.bvh8.preset, Bvh8Preset::automatic);
-    EXPECT_EQ(options.threads, 0);
+    EXPECT_EQ(tree_kind(KdOptions{}), TreeKind::kd);
+    EXPECT_EQ(tree_kind(Bvh8Options{}), TreeKind::bvh8);
 }
 
 }  // namespace

@@ -17,13 +17,14 @@ TEST_P(BuildLarge, IsSoundAndTheSameForAnyThreads) {
         for (const double rate : {1.0, 0.01}) {
             for (const LeafRefinement leaf_refinement :
                  {LeafRefinement::none, LeafRefinement::kd}) {
-                BuildOptions options{.sample = {.rate = rate},
-                                     .split = {.rule = rule},
-                                     .leaf_refinement = leaf_refinement};
-                const KdTree tree = build_kd_tree(mesh.view(), options);
+                KdOptions options{.sample = {.rate = rate},
+                                  .split = {.rule = rule},
+                                  .leaf_refinement = leaf_refinement};
+                const KdTree tree = build_kd_tree(mesh.view(), options).tree;
                 EXPECT_TRUE(is_sound(tree, mesh.view())) << rule << " at " << rate;
                 options.threads = 1;
-                EXPECT_TRUE(build_kd_tree(mesh.view(), options) == tree) << rule << " at " << rate;
+                EXPECT_TRUE(build_kd_tree(mesh.view(), options).tree == tree)
+                    << rule << " at " << rate;
             }
         }
     }

@@ -28,9 +28,8 @@ namespace {
 // How the leaf limit and the growth go with the rate (METHOD 2).
 enum class Protocol { fixed, scaled, grown };
 
-BuildOptions options_of(Protocol protocol, double rate) {
-    BuildOptions options{.sample = {.rate = rate, .seed = 3},
-                         .leaf_refinement = LeafRefinement::none};
+KdOptions options_of(Protocol protocol, double rate) {
+    KdOptions options{.sample = {.rate = rate, .seed = 3}, .leaf_refinement = LeafRefinement::none};
     if (protocol != Protocol::fixed) {
         options.split.max_leaf = static_cast<std::uint32_t>(std::max(1.0, std::round(32.0 * rate)));
     }
@@ -52,7 +51,7 @@ protected:
         for (const Protocol protocol : {Protocol::fixed, Protocol::scaled, Protocol::grown}) {
             for (const Clipping clipping : {Clipping::perfect, Clipping::bounding_box}) {
                 for (const double rate : {1.0, 0.5, 0.1, 0.01}) {
-                    BuildOptions options = options_of(protocol, rate);
+                    KdOptions options = options_of(protocol, rate);
                     options.split.rule = std::get<std::string>(GetParam());
                     options.split.clipping = clipping;
                     SCOPED_TRACE(testing::Message()
@@ -68,9 +67,8 @@ protected:
 TEST_P(BuildMatrix, TreesAreSound) {
     const Primitives scene(std::get<NamedScene>(GetParam()).make());
     const PrimitiveSetView primitives = primitives_of(scene);
-    for_all_options([&](const BuildOptions& options) {
-        BuildReport report;
-        const KdTree tree = build_kd_tree(primitives, options, &report);
+    for_all_options([&](const KdOptions& options) {
+        const auto [tree, report] = build_kd_tree(primitives, options);
         EXPECT_TRUE(is_sound(tree, primitives));
         EXPECT_TRUE(is_in_order(tree));
         EXPECT_LE(depth_of(tree), options.split.max_depth);
@@ -90,15 +88,15 @@ TEST_P(BuildMatrix, RefillOfAllGivesBackTheDirectBuild) {
     const PrimitiveSetView primitives = primitives_of(scene);
     for (const Clipping clipping : {Clipping::perfect, Clipping::bounding_box}) {
         for (const std::uint32_t max_leaf : {1U, 4U, 32U}) {
-            const BuildOptions options{.split = {.rule = std::get<std::string>(GetParam()),
-                                                 .max_leaf = max_leaf,
-                                                 .clipping = clipping},
-                                       .leaf_refinement = LeafRefinement::none};
+            const KdOptions options{.split = {.rule = std::get<std::string>(GetParam()),
+                                              .max_leaf = max_leaf,
+                                              .clipping = clipping},
+                                    .leaf_refinement = LeafRefinement::none};
             const Sample all = draw_sample(primitives, options.sample);
             const KdTree direct = build_on_sample(primitives, all, options);
             const KdTree refilled = refill(empty_leaves(KdTree(direct)), primitives, options);
             EXPECT_TRUE(refilled == direct) << name_of(clipping) << ", max leaf " << max_leaf;
-            EXPECT_TRUE(build_kd_tree(primitives, options) == direct);
+            EXPECT_TRUE(build_kd_tree(primitives, options).tree == direct);
         }
     }
 }
@@ -107,13 +105,14 @@ TEST_P(BuildMatrix, ThreadsDoNotMatter) {
     const Primitives scene(std::get<NamedScene>(GetParam()).make());
     const PrimitiveSetView primitives = primitives_of(scene);
     for (const double rate : {1.0, 0.1}) {
-        BuildOptions options = options_of(Protocol::grown, rate);
+        KdOptions options = options_of(Protocol::grown, rate);
         options.split.rule = std::get<std::string>(GetParam());
         options.threads = 1;
-        const KdTree expected = build_kd_tree(primitives, options);
+        const KdTree expected = build_kd_tree(primitives, options).tree;
         for (const int threads : {2, 3, 8}) {
             options.threads = threads;
-            EXPECT_TRUE(build_kd_tree(primitives, options) == expected) << threads << " threads";
+            EXPECT_TRUE(build_kd_tree(primitives, options).tree == expected)
+                << threads << " threads";
         }
     }
 }
@@ -141,13 +140,13 @@ TEST_P(BuildInParallel, GivesTheSameTreeEveryTime) {
         for (const double rate : {1.0, 0.1}) {
             for (const LeafRefinement leaf_refinement :
                  {LeafRefinement::none, LeafRefinement::kd}) {
-                BuildOptions options{
+                KdOptions options{
                     .sample = {.rate = rate}, .leaf_refinement = leaf_refinement, .threads = 1};
-                const KdTree expected = build_kd_tree(primitives, options);
+                const KdTree expected = build_kd_tree(primitives, options).tree;
                 EXPECT_TRUE(is_sound(expected, primitives));
                 for (const int threads : {2, 3, 8, 0}) {
                     options.threads = threads;
-                    EXPECT_TRUE(build_kd_tree(primitives, options) == expected);
+                    EXPECT_TRUE(build_kd_tree(primitives, options).tree == expected);
                 }
             }
         }
@@ -163,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(Seed1, BuildInParallel,
 TEST(BuildKdTree, DependsOnTheSeed) {
     const TriangleMesh mesh = make_soup(2000, 0.1F, 1);
     const auto build = [&](double rate, std::uint64_t seed) {
-        return build_kd_tree(mesh.view(), {.sample = {.rate = rate, .seed = seed}});
+        return build_kd_tree(mesh.view(), {.sample = {.rate = rate, .seed = seed}}).tree;
     };
     EXPECT_TRUE(build(0.1, 5) == build(0.1, 5));
     EXPECT_FALSE(build(0.1, 5) == build(0.1, 6));
@@ -174,12 +173,10 @@ TEST(BuildKdTree, TakesASampleOfOne) {
     for (const LeafRefinement leaf_refinement : {LeafRefinement::none, LeafRefinement::kd}) {
         for (const char* const rule : {"sah", "median", "midpoint"}) {
             const TriangleMesh mesh = make_soup(1000, 0.1F, 2);
-            BuildReport report;
-            const KdTree tree = build_kd_tree(mesh.view(),
-                                              {.sample = {.rate = 1e-9},
-                                               .split = {.rule = rule, .max_leaf = 1},
-                                               .leaf_refinement = leaf_refinement},
-                                              &report);
+            const auto [tree, report] =
+                build_kd_tree(mesh.view(), {.sample = {.rate = 1e-9},
+                                            .split = {.rule = rule, .max_leaf = 1},
+                                            .leaf_refinement = leaf_refinement});
             EXPECT_EQ(report.sample_count, 1U);
             EXPECT_TRUE(is_sound(tree, mesh.view()));
             EXPECT_EQ(tree.nodes().size() > 1, leaf_refinement == LeafRefinement::kd);
@@ -190,10 +187,8 @@ TEST(BuildKdTree, TakesASampleOfOne) {
 TEST(BuildKdTree, OfNothingIsTheTreeOfNothing) {
     for (const double rate : {1.0, 0.01}) {
         for (const LeafRefinement leaf_refinement : {LeafRefinement::none, LeafRefinement::kd}) {
-            BuildReport report;
-            const KdTree tree = build_kd_tree(
-                TriangleMeshView(), {.sample = {.rate = rate}, .leaf_refinement = leaf_refinement},
-                &report);
+            const auto [tree, report] = build_kd_tree(
+                TriangleMeshView(), {.sample = {.rate = rate}, .leaf_refinement = leaf_refinement});
             EXPECT_TRUE(tree == KdTree{});
             EXPECT_EQ(report.sample_count, 0U);
             EXPECT_EQ(report.statistics.node_count, 1U);
@@ -204,7 +199,7 @@ TEST(BuildKdTree, OfNothingIsTheTreeOfNothing) {
 TEST(BuildKdTree, BoxIsThatOfAllPrimitives) {
     const TriangleMesh mesh = make_soup(1000, 0.1F, 2);
     for (const double rate : {1.0, 0.001}) {
-        EXPECT_EQ(build_kd_tree(mesh.view(), {.sample = {.rate = rate}}).bounds(),
+        EXPECT_EQ(build_kd_tree(mesh.view(), {.sample = {.rate = rate}}).tree.bounds(),
                   bounds_of(mesh.vertices));
     }
 }
@@ -217,7 +212,8 @@ TEST(BuildKdTree, KeepsToTheDepthLimit) {
                 const KdTree tree =
                     build_kd_tree(mesh.view(), {.sample = {.rate = rate},
                                                 .split = {.max_depth = max_depth, .max_leaf = 1},
-                                                .leaf_refinement = leaf_refinement});
+                                                .leaf_refinement = leaf_refinement})
+                        .tree;
                 EXPECT_LE(depth_of(tree), max_depth);
                 EXPECT_TRUE(max_depth > 5 || depth_of(tree) == max_depth);
                 EXPECT_TRUE(is_sound(tree, mesh.view()));
@@ -228,13 +224,12 @@ TEST(BuildKdTree, KeepsToTheDepthLimit) {
 
 TEST(BuildKdTree, ReportsWhatItDid) {
     const TriangleMesh mesh = make_soup(1000, 0.1F, 4);
-    const BuildOptions options{.sample = {.rate = 0.1, .seed = 9}, .cost = {.traversal = 2.0}};
-    BuildReport report;
-    report.sample_count = 12345;  // an old report is overwritten
-    const KdTree tree = build_kd_tree(mesh.view(), options, &report);
-    EXPECT_EQ(report.options.sample.rate, 0.1);
-    EXPECT_EQ(report.options.sample.seed, 9U);
-    EXPECT_EQ(report.options.cost.traversal, 2.0);
+    const KdOptions options{.sample = {.rate = 0.1, .seed = 9}, .cost = {.traversal = 2.0}};
+    const auto [tree, report] = build_kd_tree(mesh.view(), options);
+    EXPECT_EQ(sample_of(report.options).rate, 0.1);
+    EXPECT_EQ(sample_of(report.options).seed, 9U);
+    EXPECT_EQ(report.sample.rate, 0.1);
+    EXPECT_EQ(cost_of(report.options).traversal, 2.0);
     EXPECT_EQ(report.primitive_count, 1000U);
     EXPECT_EQ(report.sample_count, 100U);
     EXPECT_EQ(report.statistics.node_count, tree.nodes().size());
@@ -255,21 +250,23 @@ TEST(BuildKdTree, ReportsWhatItDid) {
     EXPECT_GE(report.peak_bytes, report.tree_bytes + 1000 * sizeof(Aabb));
     EXPECT_LT(report.peak_bytes, 1000 * report.tree_bytes);
     EXPECT_FALSE(report.estimate.has_value());
-    EXPECT_TRUE(build_kd_tree(mesh.view(), options) == tree) << "with and without a report";
+    EXPECT_TRUE(report.notes.empty());
+    const auto [same, unmeasured] = build_kd_tree(mesh.view(), options, {.is_measured = false});
+    EXPECT_TRUE(same == tree);
+    EXPECT_EQ(unmeasured.statistics.node_count, 0U);
+    EXPECT_EQ(unmeasured.tree_bytes, report.tree_bytes);
+    EXPECT_EQ(unmeasured.stages.refine.items, stages.refine.items);
 }
 
 TEST(BuildKdTree, ChecksItsOptions) {
     const TriangleMesh mesh = make_soup(10, 0.1F, 4);
-    BuildReport report;
-    report.sample_count = 12345;
-    for (const BuildOptions& options :
-         {BuildOptions{.sample = {.rate = 0.0}}, BuildOptions{.sample = {.sampler = "best"}},
-          BuildOptions{.split = {.rule = "best"}}, BuildOptions{.split = {.max_depth = 61}},
-          BuildOptions{.cost = {.intersection = 0.0}}, BuildOptions{.threads = -1}}) {
-        EXPECT_THROW(static_cast<void>(build_kd_tree(mesh.view(), options, &report)), Error);
+    for (const KdOptions& options :
+         {KdOptions{.sample = {.rate = 0.0}}, KdOptions{.sample = {.sampler = "best"}},
+          KdOptions{.split = {.rule = "best"}}, KdOptions{.split = {.max_depth = 61}},
+          KdOptions{.cost = {.intersection = 0.0}}, KdOptions{.threads = -1}}) {
+        EXPECT_THROW(static_cast<void>(build_kd_tree(mesh.view(), options)), Error);
         EXPECT_THROW(static_cast<void>(build_kd_tree(TriangleMeshView(), options)), Error);
     }
-    EXPECT_EQ(report.sample_count, 12345U) << "a failed build leaves the report alone";
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 
 TEST(EmptyLeaves, KeepsThePlanesAndNothingElse) {
     const TriangleMesh mesh = make_soup(500, 0.1F, 1);
-    const BuildOptions options{.sample = {.rate = 0.2}, .split = {.max_leaf = 2}};
+    const KdOptions options{.sample = {.rate = 0.2}, .split = {.max_leaf = 2}};
     const KdTree tree =
         build_on_sample(mesh.view(), draw_sample(mesh.view(), options.sample), options);
     const Skeleton skeleton = empty_leaves(KdTree(tree));

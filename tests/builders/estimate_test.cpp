@@ -19,10 +19,9 @@ void expect_near_share(double estimate, std::uint64_t found, double share, const
 TEST(EstimateKdTree, IsWithinAFifthOfWhatIsFound) {
     for (const TriangleMesh& mesh : {make_terrain(250, 1), make_soup(60000, 0.01F, 2)}) {
         for (const double rate : {1.0, 0.02}) {
-            const BuildOptions options{.sample = {.rate = rate}};
+            const KdOptions options{.sample = {.rate = rate}};
             const BuildEstimate estimate = estimate_kd_tree(mesh.view(), options);
-            BuildReport report;
-            static_cast<void>(build_kd_tree(mesh.view(), options, &report));
+            const BuildReport report = build_kd_tree(mesh.view(), options).report;
             expect_near_share(estimate.references, report.statistics.reference_count, 0.2,
                               "references");
             expect_near_share(estimate.bytes, report.tree_bytes, 0.2, "bytes");
@@ -43,8 +42,7 @@ TEST(EstimateKdTree, DependsOnNoThreadsButForTheSeconds) {
 
 TEST(EstimateKdTree, IsExactForSmallScenes) {
     const TriangleMesh mesh = make_soup(1000, 0.1F, 1);
-    BuildReport report;
-    const KdTree tree = build_kd_tree(mesh.view(), {}, &report);
+    const KdTree tree = build_kd_tree(mesh.view()).tree;
     const BuildEstimate estimate = estimate_kd_tree(mesh.view(), {});
     EXPECT_EQ(estimate.references, static_cast<double>(tree.references().size()));
     EXPECT_EQ(estimate.bytes, static_cast<double>(tree.byte_count()));
@@ -64,10 +62,9 @@ TEST(EstimateKdTree, TakesPointsAndEqualPrimitives) {
 TEST(EstimateBvh8, IsWithinAFifthOfWhatIsFound) {
     for (const TriangleMesh& mesh : {make_terrain(250, 1), make_soup(60000, 0.01F, 2)}) {
         for (const char* const name : {"fast", "quality"}) {
-            const BuildOptions options = find_method(name).options();
+            const Bvh8Options options = find_method(name).bvh8_options();
             const BuildEstimate estimate = estimate_bvh8(mesh.view(), options);
-            BuildReport report;
-            static_cast<void>(build_bvh8(mesh.view(), options, &report));
+            const BuildReport report = build_bvh8(mesh.view(), options).report;
             expect_near_share(estimate.references, report.statistics.reference_count, 0.2,
                               "references");
             expect_near_share(estimate.bytes, report.tree_bytes, 0.2, "bytes");

@@ -18,7 +18,7 @@ class KdMethodsLarge : public testing::TestWithParam<NamedScene> {};
 TEST_P(KdMethodsLarge, AreSoundAndBounded) {
     const TriangleMesh mesh = GetParam().make();
     for (const char* const method : {"exact", "binned", "sampled", "subsampled", "adaptive"}) {
-        const KdTree tree = build_kd_tree(mesh.view(), find_method(method).options());
+        const KdTree tree = build_kd_tree(mesh.view(), find_method(method).kd_options()).tree;
         EXPECT_TRUE(is_sound(tree, mesh.view())) << method;
         EXPECT_LT(tree.references().size(), 64 * mesh.triangles.size()) << method;
     }

@@ -23,7 +23,7 @@ namespace {
 std::vector<std::string> kd_method_names() {
     std::vector<std::string> names;
     for (const Method& method : method_registry()) {
-        if (method.tree == TreeKind::kd) names.emplace_back(method.name);
+        if (method.tree() == TreeKind::kd) names.emplace_back(method.name);
     }
     return names;
 }
@@ -34,8 +34,8 @@ class KdMethodMatrix : public testing::TestWithParam<SceneAndMethod> {
 protected:
     [[nodiscard]] static TriangleMesh mesh() { return std::get<NamedScene>(GetParam()).make(); }
 
-    [[nodiscard]] static BuildOptions options() {
-        return find_method(std::get<std::string>(GetParam())).options();
+    [[nodiscard]] static KdOptions options() {
+        return find_method(std::get<std::string>(GetParam())).kd_options();
     }
 };
 
@@ -43,23 +43,23 @@ TEST_P(KdMethodMatrix, TreesAreSoundAndTheSameForAnyThreads) {
     const Primitives scene(mesh());
     for (const PrimitiveKind kind : {PrimitiveKind::triangles, PrimitiveKind::points}) {
         const PrimitiveSetView primitives = scene.of(kind);
-        BuildOptions once = options();
+        KdOptions once = options();
         once.threads = 1;
-        const KdTree tree = build_kd_tree(primitives, once);
+        const KdTree tree = build_kd_tree(primitives, once).tree;
         EXPECT_TRUE(is_sound(tree, primitives));
         EXPECT_TRUE(is_in_order(tree));
         EXPECT_LE(depth_of(tree), once.split.max_depth);
         EXPECT_EQ(distinct_reference_count(tree), primitives.size());
         for (const int threads : {2, 3, 8}) {
             once.threads = threads;
-            EXPECT_TRUE(build_kd_tree(primitives, once) == tree) << threads << " threads";
+            EXPECT_TRUE(build_kd_tree(primitives, once).tree == tree) << threads << " threads";
         }
     }
 }
 
 TEST_P(KdMethodMatrix, HitsAreThoseOfBruteForce) {
     const TriangleMesh scene = mesh();
-    const KdTree tree = build_kd_tree(scene.view(), options());
+    const KdTree tree = build_kd_tree(scene.view(), options()).tree;
     RaySource rays(scene, tree, 11);
     for (const RayKind kind : all_ray_kinds) {
         for (int i = 0; i < 8; ++i) {
@@ -89,19 +89,19 @@ class KdMethodInParallel : public testing::TestWithParam<std::string> {};
 
 TEST_P(KdMethodInParallel, GivesTheSameTreeEveryTime) {
     const TriangleMesh mesh = joined(make_terrain(140, 1), make_soup(2000, 0.2F, 1));
-    BuildOptions options = find_method(GetParam()).options();
+    KdOptions options = find_method(GetParam()).kd_options();
     options.threads = 1;
-    const KdTree expected = build_kd_tree(mesh.view(), options);
+    const KdTree expected = build_kd_tree(mesh.view(), options).tree;
     EXPECT_TRUE(is_sound(expected, mesh.view()));
     for (const int threads : {2, 3, 8, 0}) {
         options.threads = threads;
-        EXPECT_TRUE(build_kd_tree(mesh.view(), options) == expected) << threads << " threads";
+        EXPECT_TRUE(build_kd_tree(mesh.view(), options).tree == expected) << threads << " threads";
     }
 }
 
 TEST_P(KdMethodInParallel, KeepsDuplicationBounded) {
     const TriangleMesh mesh = make_needles(3000, 2);
-    const KdTree tree = build_kd_tree(mesh.view(), find_method(GetParam()).options());
+    const KdTree tree = build_kd_tree(mesh.view(), find_method(GetParam()).kd_options()).tree;
     EXPECT_TRUE(is_sound(tree, mesh.view()));
     EXPECT_LT(tree.references().size(), 128 * mesh.triangles.size());
 }

@@ -10,6 +10,8 @@
 #include "coppice/scene/scene.h"
 
 #include "builders/run_build.h"
+#include "builders/work_share.h"
+#include "support/builds.h"
 #include "support/meshes.h"
 
 #include <gmock/gmock.h>
@@ -32,16 +34,9 @@ const TriangleMesh& scene() {
 
 /// Builds by a method as if the scene were large.
 BuildReport build(const Method& method, const BuildControl& control) {
-    BuildOptions options = method.options();
-    options.bvh8.sampled_from = 0;
-    options.threads = 2;
-    BuildReport report;
-    if (method.tree == TreeKind::kd) {
-        static_cast<void>(build_kd_tree(scene().view(), options, &report, control));
-    } else {
-        static_cast<void>(build_bvh8(scene().view(), options, &report, control));
-    }
-    return report;
+    BuildOptions options = options_as_if_large(method);
+    set_threads(options, 2);
+    return build_any(scene().view(), options, control).report;
 }
 
 TEST(Progress, StagesAreSharesOfTheWhole) {
@@ -57,13 +52,28 @@ TEST(Progress, StagesAreSharesOfTheWhole) {
     EXPECT_EQ(told, (std::vector{0.0, 0.125, 0.25, 0.4375, 0.999, 1.0}));
 }
 
-TEST(Progress, SharesOfANodeAddUp) {
-    const NodeShares shares = divide_share(0.5, 100'000, 70'000, 40'000);
-    EXPECT_DOUBLE_EQ(shares.own + shares.below + shares.above, 0.5);
-    EXPECT_GT(shares.own, 0.0);
-    EXPECT_GT(shares.below, shares.above * 70.0 / 40.0);  // more levels, too
-    const NodeShares none = divide_share(0.0, 10, 5, 5);
-    EXPECT_EQ(none.own + none.below + none.above, 0.0);
+TEST(WorkShare, OfANodeIsSharedOutAmongItsChildren) {
+    double told = 0.0;
+    Progress progress([&](double done) { told = done; });
+    progress.begin_stage(0.5);
+    const auto [below, above] = WorkShare(&progress).divide(100'000, 70'000, 40'000);
+    const double own = told;
+    EXPECT_GT(own, 0.0);
+    above.done();
+    const double of_above = told - own;
+    EXPECT_GT(of_above, 0.0);
+    below.part(0.25).done();
+    below.part(0.75).done();
+    EXPECT_NEAR(told, 0.5, 1e-3);
+    EXPECT_GT(told - own - of_above, of_above * 70.0 / 40.0);  // more levels, too
+}
+
+TEST(WorkShare, ThatNobodyAsksAboutTellsNothing) {
+    const WorkShare unasked(nullptr);
+    EXPECT_FALSE(unasked.is_asked_for());
+    const auto [below, above] = unasked.divide(10, 5, 5);
+    EXPECT_FALSE(below.is_asked_for());
+    EXPECT_NO_THROW(above.done());
 }
 
 class WatchedBuild : public testing::TestWithParam<Method> {};
@@ -132,25 +142,23 @@ INSTANTIATE_TEST_SUITE_P(Method, WatchedBuild,
 
 TEST(MemoryLimit, AutomaticTakesTheSmallestPresetIfThatKeepsWithinIt) {
     const TriangleMeshView mesh = scene().view();
-    BuildOptions options;
-    options.bvh8.sampled_from = 0;
-    options.bvh8.expected_rays = 1e9;  // quality, were it not for the limit
-    BuildReport large;
-    static_cast<void>(build_bvh8(mesh, options, &large));
+    Bvh8Options options;
+    options.sampled_from = 0;
+    options.expected_rays = 1e9;  // quality, were it not for the limit
+    const BuildReport large = build_bvh8(mesh, options).report;
     ASSERT_EQ(large.preset, Bvh8Preset::quality);
-    options.bvh8.preset = Bvh8Preset::fast;
+    options.preset = Bvh8Preset::fast;
     const double small = estimate_bvh8(mesh, options).peak_bytes;
     ASSERT_LT(small, 0.95 * static_cast<double>(large.peak_bytes));
 
-    options.bvh8.preset = Bvh8Preset::automatic;
-    BuildReport report;
+    options.preset = Bvh8Preset::automatic;
     const BuildControl limit{.memory_limit_bytes = static_cast<std::uint64_t>(1.01 * small)};
-    static_cast<void>(build_bvh8(mesh, options, &report, limit));
+    const BuildReport report = build_bvh8(mesh, options, limit).report;
     EXPECT_EQ(report.preset, Bvh8Preset::fast);
     EXPECT_THAT(report.preset_reason, testing::StartsWith("quality would take about "));
     EXPECT_LE(report.peak_bytes, limit.memory_limit_bytes);
-    options.bvh8.preset = Bvh8Preset::quality;  // asked for by name, it is not replaced
-    EXPECT_THROW(static_cast<void>(build_bvh8(mesh, options, nullptr, limit)), Error);
+    options.preset = Bvh8Preset::quality;  // asked for by name, it is not replaced
+    EXPECT_THROW(static_cast<void>(build_bvh8(mesh, options, limit)), Error);
 }
 
 TEST(RunBuild, WritesBytesAsPeopleReadThem) {

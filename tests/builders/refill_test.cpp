@@ -92,8 +92,8 @@ TEST_P(RefillAtRate, GivesTheLeavesOfADescent) {
     for (const PrimitiveKind kind : {PrimitiveKind::triangles, PrimitiveKind::points}) {
         for (const Clipping clipping : {Clipping::perfect, Clipping::bounding_box}) {
             const PrimitiveSetView primitives = scene.of(kind);
-            const BuildOptions options{.sample = {.rate = GetParam()},
-                                       .split = {.max_leaf = 4, .clipping = clipping}};
+            const KdOptions options{.sample = {.rate = GetParam()},
+                                    .split = {.max_leaf = 4, .clipping = clipping}};
             const Sample sample = draw_sample(primitives, options.sample);
             const KdTree sampled = build_on_sample(primitives, sample, options);
             const KdTree tree = refill(empty_leaves(KdTree(sampled)), primitives, options);

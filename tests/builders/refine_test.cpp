@@ -14,7 +14,7 @@
 namespace coppice::test {
 namespace {
 
-KdTree refilled_tree(const TriangleMesh& mesh, const BuildOptions& options) {
+KdTree refilled_tree(const TriangleMesh& mesh, const KdOptions& options) {
     const Sample sample = draw_sample(mesh.view(), options.sample);
     return refill(empty_leaves(build_on_sample(mesh.view(), sample, options)), mesh.view(),
                   options);
@@ -22,14 +22,14 @@ KdTree refilled_tree(const TriangleMesh& mesh, const BuildOptions& options) {
 
 TEST(Refine, WithoutGrowthReturnsTheTree) {
     const TriangleMesh mesh = make_soup(500, 0.1F, 1);
-    const BuildOptions options{.sample = {.rate = 0.1}, .leaf_refinement = LeafRefinement::none};
+    const KdOptions options{.sample = {.rate = 0.1}, .leaf_refinement = LeafRefinement::none};
     const KdTree tree = refilled_tree(mesh, options);
     EXPECT_TRUE(refine(KdTree(tree), mesh.view(), options) == tree);
 }
 
 TEST(Refine, WithKdGrowthIsGrowKd) {
     const TriangleMesh mesh = make_soup(500, 0.1F, 1);
-    const BuildOptions options{.sample = {.rate = 0.1}, .leaf_refinement = LeafRefinement::kd};
+    const KdOptions options{.sample = {.rate = 0.1}, .leaf_refinement = LeafRefinement::kd};
     const KdTree tree = refilled_tree(mesh, options);
     const KdTree grown = grow_kd(KdTree(tree), mesh.view(), options);
     EXPECT_TRUE(refine(KdTree(tree), mesh.view(), options) == grown);

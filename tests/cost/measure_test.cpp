@@ -24,7 +24,7 @@ namespace {
 using testing::DoubleEq;
 using testing::ElementsAre;
 
-constexpr SahCostModel model{.traversal = 3.0, .intersection = 2.0};
+const SahCostModel model{.traversal = 3.0, .intersection = 2.0};
 
 TEST(Measure, OfNothingCostsNothing) {
     const TreeStatistics measured = measure(KdTree{}, model);
@@ -105,10 +105,10 @@ TEST(Measure, WorksAtAllScales) {
         EXPECT_EQ(measure(tree, model).sah_cost, 4.0);
     }
     const TriangleMesh mesh = make_soup(300, 0.1F, 2);
-    const double expected = measure(build_kd_tree(mesh.view()), model).sah_cost;
+    const double expected = measure(build_kd_tree(mesh.view()).tree, model).sah_cost;
     for (const float scale : {0x1p-100F, 0x1p-40F, 0x1p40F, 0x1p100F}) {
         const TriangleMesh other = scaled(mesh, scale);
-        EXPECT_NEAR(measure(build_kd_tree(other.view()), model).sah_cost, expected,
+        EXPECT_NEAR(measure(build_kd_tree(other.view()).tree, model).sah_cost, expected,
                     1e-9 * expected);
     }
 }
@@ -150,7 +150,8 @@ TEST_P(MeasureScene, AgreesWithABruteSum) {
         for (const LeafRefinement leaf_refinement : {LeafRefinement::none, LeafRefinement::kd}) {
             const KdTree tree = build_kd_tree(mesh.view(), {.sample = {.rate = rate},
                                                             .split = {.max_leaf = 4},
-                                                            .leaf_refinement = leaf_refinement});
+                                                            .leaf_refinement = leaf_refinement})
+                                    .tree;
             const TreeStatistics measured = measure(tree, model);
             const BruteSums sums = brute_sums(tree);
             const double total = std::accumulate(sums.costs.begin(), sums.costs.end(), 0.0);
@@ -173,7 +174,7 @@ TEST_P(MeasureScene, AgreesWithABruteSum) {
 
 TEST_P(MeasureScene, CountsAddUp) {
     const TriangleMesh mesh = GetParam().make();
-    const KdTree tree = build_kd_tree(mesh.view(), {.sample = {.rate = 0.5}});
+    const KdTree tree = build_kd_tree(mesh.view(), {.sample = {.rate = 0.5}}).tree;
     const TreeStatistics measured = measure(tree, model);
     EXPECT_EQ(measured.node_count, tree.nodes().size());
     EXPECT_EQ(measured.inner_count + measured.leaf_count, measured.node_count);
@@ -263,7 +264,7 @@ class MeasureByRandomLines : public testing::TestWithParam<NamedScene> {};
 
 TEST_P(MeasureByRandomLines, ExpectsWhatTheyMeet) {
     const TriangleMesh mesh = GetParam().make();
-    const KdTree tree = build_kd_tree(mesh.view(), {.sample = {.rate = 0.5}});
+    const KdTree tree = build_kd_tree(mesh.view(), {.sample = {.rate = 0.5}}).tree;
     const TreeStatistics measured = measure(tree, model);
     Random random(2024);
     Average inner;

@@ -12,6 +12,7 @@
 #include "render/render.h"
 #include "scenes/procedural.h"
 #include "store/checksum.h"
+#include "support/builds.h"
 #include "support/effort.h"
 #include "support/isa.h"
 #include "support/lab_scenes.h"
@@ -80,12 +81,10 @@ std::uint64_t hash_of(const Tree& tree) {
 }
 
 std::uint64_t tree_hash(const Method& method, TriangleMeshView mesh, int threads) {
-    BuildOptions options = method.options();
-    options.threads = threads;
-    options.bvh8.sampled_from = 0;
-    options.bvh8.cell_size = 256;
-    return method.tree == TreeKind::kd ? hash_of(build_kd_tree(mesh, options))
-                                       : hash_of(build_bvh8(mesh, options));
+    BuildOptions options = test::options_as_if_large(method, 256);
+    set_threads(options, threads);
+    return std::visit([](const auto& tree) { return hash_of(tree); },
+                      test::build_any(mesh, options).tree);
 }
 
 /// A procedural scene, and what its trees are: the scene itself, since that has sines in it that
@@ -115,7 +114,7 @@ TEST_P(ProceduralScene, GivesTheGoldenTreesInAllWays) {
         SCOPED_TRACE(method.name);
         const auto hash =
             made_in_all_ways([&](int threads) { return tree_hash(method, mesh.view(), threads); });
-        (method.tree == TreeKind::kd ? kd : wide).push_back(hash);
+        (method.tree() == TreeKind::kd ? kd : wide).push_back(hash);
     }
     EXPECT_EQ(hash_of(std::span<const std::uint64_t>(kd)), GetParam().kd);
     EXPECT_EQ(hash_of(std::span<const std::uint64_t>(wide)), GetParam().bvh8);
@@ -128,10 +127,9 @@ TEST_P(ProceduralScene, GivesTheSameImageInAllWays) {
     const render::Lighting lighting{.sky = {.color = Vec3f{1, 1, 1}}};
     const auto integrator = render::make_path({});
     made_in_all_ways([&](int threads) {
-        const Method& method = find_method("auto");
-        BuildOptions options = method.options();
+        Bvh8Options options = find_method("auto").bvh8_options();
         options.threads = threads;
-        const auto tracer = render::build_tracer(method, options, mesh.view());
+        const auto tracer = render::make_tracer(build_bvh8(mesh.view(), options).tree, mesh.view());
         const render::View view{tracer.get(), mesh.view(), &attributes, &lighting};
         return render::render(view, camera, *integrator,
                               {.width = 30, .height = 20, .samples = 2, .threads = threads})

@@ -25,7 +25,7 @@ namespace {
 TEST(TreeCells, AreAllNodesOfEveryLevelWithTheirShareOfTheCost) {
     const TriangleMesh mesh = make_procedural("spheres", 3000, 1);
     const SahCostModel cost{15.0, 20.0, 0.2};
-    const KdTree tree = build_kd_tree(mesh.view(), {.cost = cost});
+    const KdTree tree = build_kd_tree(mesh.view(), {.cost = cost}).tree;
     const TreeStatistics statistics = measure(tree, cost);
     const auto levels = collect_cells(tree, cost, 1'000'000);
     ASSERT_EQ(levels.size(), static_cast<std::size_t>(statistics.max_level) + 1);
@@ -49,7 +49,7 @@ TEST(TreeCells, AreAllNodesOfEveryLevelWithTheirShareOfTheCost) {
 
 TEST(TreeCells, AreDrawnEvenlyWhereThereAreMany) {
     const TriangleMesh mesh = make_procedural("terrain", 2000, 1);
-    const KdTree tree = build_kd_tree(mesh.view());
+    const KdTree tree = build_kd_tree(mesh.view()).tree;
     const auto all = collect_cells(tree, {}, 1'000'000);
     const auto some = collect_cells(tree, {}, 7);
     ASSERT_EQ(some.size(), all.size());

@@ -83,8 +83,8 @@ TEST(Experiment, RowsByKindProtocolSeedAndRate) {
     for (const ResultRow& row : result.rows) {
         keys.push_back(key_of(row));
         EXPECT_EQ(row.scene, "hills");
-        EXPECT_EQ(row.report.options.sample.seed, row.seed);
-        EXPECT_EQ(row.report.options.sample.rate, row.sample_percent / 100.0);
+        EXPECT_EQ(sample_of(row.report.options).seed, row.seed);
+        EXPECT_EQ(sample_of(row.report.options).rate, row.sample_percent / 100.0);
     }
     EXPECT_THAT(keys, testing::ElementsAre(
                           "points scaled 1 100", "points scaled 1 5", "points scaled 2 100",
@@ -190,7 +190,7 @@ TEST(Experiment, MethodsAndSamplersAreMoreRows) {
     std::vector<std::string> keys;
     for (const ResultRow& row : result.rows) {
         keys.push_back(key_of(row) + ' ' + row.sampler);
-        EXPECT_EQ(row.report.options.sample.rate,
+        EXPECT_EQ(sample_of(row.report.options).rate,
                   row.sampler.empty() ? 1.0 : row.sample_percent / 100.0);
     }
     // `binned` does not sample, `fast` is over triangles, so few of which it does not sample.
@@ -220,7 +220,7 @@ TEST(Experiment, AMethodKeepsItsOwnSampler) {
     ASSERT_EQ(rows.size(), 2U);
     EXPECT_EQ(rows[0].sampler, "uniform");
     EXPECT_EQ(rows[1].sampler, "weighted");
-    EXPECT_EQ(rows[1].report.options.cost.traversal, 15.0);
+    EXPECT_EQ(cost_of(rows[1].report.options).traversal, 15.0);
 }
 
 TEST(Experiment, RaysAreTracedThroughTreesOfTriangles) {

@@ -20,14 +20,14 @@ TEST(Protocol, RegistryHasTheThreeInOrder) {
 }
 
 TEST(Protocol, AllSetRateAndSeedAndKeepTheRest) {
-    BuildOptions base;
+    KdOptions base;
     base.split.rule = "median";
     base.split.max_depth = 17;
     base.split.clipping = Clipping::bounding_box;
     base.cost.traversal = 15.0;
     base.threads = 3;
     for (const Protocol& protocol : protocol_registry()) {
-        const BuildOptions options = protocol.options(base, 0.25, 7);
+        const KdOptions options = protocol.options(base, 0.25, 7);
         EXPECT_EQ(options.sample.rate, 0.25) << protocol.name;
         EXPECT_EQ(options.sample.seed, 7U) << protocol.name;
         EXPECT_EQ(options.split.rule, "median") << protocol.name;
@@ -39,7 +39,7 @@ TEST(Protocol, AllSetRateAndSeedAndKeepTheRest) {
 }
 
 TEST(Protocol, FixedKeepsTheLeafLimit) {
-    const BuildOptions options = find_protocol("fixed").options({}, 0.01, 1);
+    const KdOptions options = find_protocol("fixed").options({}, 0.01, 1);
     EXPECT_EQ(options.split.max_leaf, 32U);
     EXPECT_EQ(options.leaf_refinement, LeafRefinement::none);
 }
@@ -51,13 +51,13 @@ TEST(Protocol, ScaledRoundsTheLeafLimitAndStopsAtOne) {
     EXPECT_EQ(scaled.options({}, 0.05, 1).split.max_leaf, 2U);  // 1.6
     EXPECT_EQ(scaled.options({}, 0.01, 1).split.max_leaf, 1U);  // 0.32
     EXPECT_EQ(scaled.options({}, 0.5, 1).leaf_refinement, LeafRefinement::none);
-    BuildOptions huge;
+    KdOptions huge;
     huge.split.max_leaf = 4'294'967'295U;
     EXPECT_EQ(scaled.options(huge, 1.0, 1).split.max_leaf, 4'294'967'295U);
 }
 
 TEST(Protocol, GrownIsScaledAndGrowsOn) {
-    const BuildOptions options = find_protocol("grown").options({}, 0.1, 1);
+    const KdOptions options = find_protocol("grown").options({}, 0.1, 1);
     EXPECT_EQ(options.split.max_leaf, 3U);
     EXPECT_EQ(options.leaf_refinement, LeafRefinement::kd);
 }

@@ -12,6 +12,7 @@
 
 #include "base/out_of_memory.h"
 #include "io/test_files.h"
+#include "support/builds.h"
 #include "support/meshes.h"
 
 #include <gtest/gtest.h>
@@ -88,19 +89,10 @@ class FailingBuild : public testing::TestWithParam<Method> {};
 TEST_P(FailingBuild, IsAnError) {
     const TriangleMesh mesh = make_soup(3000, 0.05F, 1);
     const Method& method = GetParam();
-    BuildOptions options = method.options();
-    options.bvh8.sampled_from = 0;
-    options.bvh8.cell_size = 256;
+    BuildOptions options = options_as_if_large(method, 256);
     for (const int threads : {1, 2}) {
-        options.threads = threads;
-        fail_each([&] {
-            BuildReport report;
-            if (method.tree == TreeKind::kd) {
-                static_cast<void>(build_kd_tree(mesh.view(), options, &report));
-            } else {
-                static_cast<void>(build_bvh8(mesh.view(), options, &report));
-            }
-        });
+        set_threads(options, threads);
+        fail_each([&] { static_cast<void>(build_any(mesh.view(), options)); });
     }
 }
 
@@ -145,8 +137,8 @@ TEST(FailingAllocation, OfSavingAndLoadingATreeIsAnErrorAndLeavesNoFile) {
     const std::filesystem::path bvh8_file = folder / "wide.cpk";
     const std::filesystem::path kd_file = folder / "kd.cpk";
     const std::filesystem::path mesh_file = folder / "mesh.ply";
-    const Bvh8 wide = build_bvh8(mesh.view(), {});
-    const KdTree kd = build_kd_tree(mesh.view(), {});
+    const Bvh8 wide = build_bvh8(mesh.view(), {}).tree;
+    const KdTree kd = build_kd_tree(mesh.view(), {}).tree;
     fail_each([&] {
         save_tree(bvh8_file, wide, primitives);
         save_tree(kd_file, kd, primitives);

@@ -11,6 +11,7 @@
 #include "coppice/trace/bvh8_tracer.h"
 
 #include "io/test_files.h"
+#include "support/builds.h"
 #include "support/meshes.h"
 #include "support/random.h"
 
@@ -42,12 +43,7 @@ double limit_milliseconds() {
 }
 
 void build(const Method& method, const BuildControl& control) {
-    BuildReport report;
-    if (method.tree == TreeKind::kd) {
-        static_cast<void>(build_kd_tree(scene().view(), method.options(), &report, control));
-    } else {
-        static_cast<void>(build_bvh8(scene().view(), method.options(), &report, control));
-    }
+    static_cast<void>(build_any(scene().view(), method.options(), control));
 }
 
 /// Milliseconds from a request, `after` so many seconds, to the end of the build; 0 if that came
@@ -95,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(Method, StopTimes,
 TEST(OpeningTime, ToTheFirstHitIsShort) {
     const std::filesystem::path file = fresh_folder() / "tree.cpk";
     const Fingerprint primitives = fingerprint_of(scene().view());
-    save_tree(file, build_bvh8(scene().view(), {}), primitives);
+    save_tree(file, build_bvh8(scene().view(), {}).tree, primitives);
     double best = limit_milliseconds();
     for (int i = 0; i < 5; ++i) {
         const Timer timer;

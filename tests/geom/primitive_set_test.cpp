@@ -49,12 +49,9 @@ class UserDefinedSet : public testing::TestWithParam<double> {};
 TEST_P(UserDefinedSet, OfSpheresBuilds) {
     const SphereSet spheres = make_spheres(500, 11);
     for (const LeafRefinement leaf_refinement : {LeafRefinement::none, LeafRefinement::kd}) {
-        BuildReport report;
-        const KdTree tree = build_kd_tree(spheres,
-                                          {.sample = {.rate = GetParam()},
-                                           .split = {.max_leaf = 4},
-                                           .leaf_refinement = leaf_refinement},
-                                          &report);
+        const auto [tree, report] = build_kd_tree(spheres, {.sample = {.rate = GetParam()},
+                                                            .split = {.max_leaf = 4},
+                                                            .leaf_refinement = leaf_refinement});
         EXPECT_TRUE(validate(tree, spheres).empty());
         EXPECT_GT(report.statistics.inner_count, 3U);
     }
@@ -62,7 +59,7 @@ TEST_P(UserDefinedSet, OfSpheresBuilds) {
 
 TEST_P(UserDefinedSet, OfBoxesWithPlainClippingBuilds) {
     const BoxSet boxes = make_box_set(500, 12);
-    const KdTree tree = build_kd_tree(boxes, {.sample = {.rate = GetParam()}});
+    const KdTree tree = build_kd_tree(boxes, {.sample = {.rate = GetParam()}}).tree;
     EXPECT_TRUE(validate(tree, boxes).empty());
 }
 

@@ -21,9 +21,11 @@ namespace {
 
 // Cells by planes, so small that many triangles are in several.
 Bvh8 build_cut(TriangleMeshView mesh) {
-    return build_bvh8(
-        mesh, {.sample = {.rate = 0.5},
-               .bvh8 = {.preset = Bvh8Preset::balanced, .cell_size = 64, .sampled_from = 0}});
+    return build_bvh8(mesh, {.sample = {.rate = 0.5},
+                             .preset = Bvh8Preset::balanced,
+                             .cell_size = 64,
+                             .sampled_from = 0})
+        .tree;
 }
 
 bool is_same(const SurfaceNeighbor& a, const SurfaceNeighbor& b) {
@@ -90,7 +92,7 @@ void check_near(const MeshSearch& search, Vec3f at, const std::vector<SurfaceNei
 TEST_P(MeshSearchScene, EqualsBruteForce) {
     const TriangleMesh mesh = GetParam().make();
     const std::vector<Vec3f> points = make_query_points(mesh.view(), 3, 41);
-    for (const Bvh8& tree : {build_bvh8(mesh.view()), build_cut(mesh.view())}) {
+    for (const Bvh8& tree : {build_bvh8(mesh.view()).tree, build_cut(mesh.view())}) {
         for (const Isa isa : available_isas()) {
             const MeshSearch search(tree, isa);
             for (std::size_t i = 0; i < points.size(); ++i) {
@@ -109,7 +111,7 @@ TEST_P(MeshSearchScene, EqualsBruteForce) {
 INSTANTIATE_TEST_SUITE_P(Seed41, MeshSearchScene, testing::ValuesIn(scene_matrix()), scene_name);
 
 TEST(MeshSearch, FindsNothingNearNowhere) {
-    const MeshSearch search(build_bvh8(make_sphere(10, 11).view()));
+    const MeshSearch search(build_bvh8(make_sphere(10, 11).view()).tree);
     for (const Vec3f& bad : {Vec3f{nan, 0, 0}, Vec3f{0, nan, 0}, Vec3f{0, 0, infinity}}) {
         EXPECT_FALSE(search.nearest(bad).is_found());
         EXPECT_TRUE(find_k(search, bad, 3).empty());
@@ -125,7 +127,7 @@ TEST(MeshSearch, FindsNothingNearNowhere) {
 }
 
 TEST(MeshSearch, DistancesAreInclusive) {
-    const MeshSearch search(build_bvh8(make_sheet(4, {0, 0, 2}, {1, 0, 0}, {0, 1, 0}).view()));
+    const MeshSearch search(build_bvh8(make_sheet(4, {0, 0, 2}, {1, 0, 0}, {0, 1, 0}).view()).tree);
     EXPECT_TRUE(search.nearest({1.5F, 1.25F, 0}, 2.0F).is_found());
     EXPECT_FALSE(search.nearest({1.5F, 1.25F, 0}, std::nextafter(2.0F, 0.0F)).is_found());
     EXPECT_EQ(find_within(search, {1.5F, 1.25F, 0}, 2.0F).size(), 1U);
@@ -146,7 +148,7 @@ bool visit_two(const SurfaceNeighbor& /*found*/) {
 }
 
 TEST(MeshSearch, ShowsWhatItFindsToFunctions) {
-    const MeshSearch search(build_bvh8(make_sphere(10, 11).view()));
+    const MeshSearch search(build_bvh8(make_sphere(10, 11).view()).tree);
     search.for_each_within({0, 0, 0}, 5.0F, visit_two);
     EXPECT_EQ(visit_count(), 2);
     search.for_each_within({0, 0, 0}, 5.0F, &visit_two);
@@ -154,7 +156,7 @@ TEST(MeshSearch, ShowsWhatItFindsToFunctions) {
 }
 
 TEST(MeshSearch, StopsWhenTold) {
-    const MeshSearch search(build_bvh8(make_sphere(10, 11).view()));
+    const MeshSearch search(build_bvh8(make_sphere(10, 11).view()).tree);
     int count = 0;
     search.for_each_within({0, 0, 0}, 5.0F, [&](const SurfaceNeighbor&) { return ++count < 3; });
     EXPECT_EQ(count, 3);

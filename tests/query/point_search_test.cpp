@@ -83,7 +83,7 @@ TEST_P(PointSearchScene, EqualsBruteForce) {
     const PointCloudView cloud(mesh.vertices);
     const std::vector<Vec3f> places = make_query_points(mesh.view(), 2, 43);
     for (const double rate : {1.0, 0.1}) {
-        const KdTree tree = build_kd_tree(cloud, {.sample = {.rate = rate}});
+        const KdTree tree = build_kd_tree(cloud, {.sample = {.rate = rate}}).tree;
         for (const Isa isa : available_isas()) {
             const PointSearch search(tree, cloud, isa);
             for (std::size_t i = 0; i < places.size(); ++i) {
@@ -102,7 +102,7 @@ TEST_P(PointSearchScene, EqualsBruteForce) {
 INSTANTIATE_TEST_SUITE_P(Seed43, PointSearchScene, testing::ValuesIn(scene_matrix()), scene_name);
 
 PointSearch search_of(const std::vector<Vec3f>& points) {
-    return {build_kd_tree(PointCloudView(points)), PointCloudView(points)};
+    return {build_kd_tree(PointCloudView(points)).tree, PointCloudView(points)};
 }
 
 TEST(PointSearch, FindsNothingNearNowhere) {
@@ -175,7 +175,7 @@ TEST(PointSearch, BatchesEqualSingleQueries) {
 
 TEST(PointSearch, ChecksWhatItIsGiven) {
     const std::vector<Vec3f> points{{1, 0, 0}, {0, 2, 0}, {1, 0, 0}};
-    const KdTree tree = build_kd_tree(PointCloudView(points));
+    const KdTree tree = build_kd_tree(PointCloudView(points)).tree;
     EXPECT_THROW(PointSearch(tree, PointCloudView(std::span(points).first(2))), Error);
     const PointSearch search(tree, PointCloudView(points));
     std::array<Neighbor, 4> found;

@@ -19,7 +19,7 @@ namespace coppice::test {
 namespace {
 
 SignedDistance make_signed(const TriangleMesh& mesh) {
-    return {mesh.view(), MeshSearch(build_bvh8(mesh.view()))};
+    return {mesh.view(), MeshSearch(build_bvh8(mesh.view()).tree)};
 }
 
 // How often a closed mesh winds around a point: 1 inside, 0 outside. Sums the solid angles of all

@@ -34,7 +34,7 @@ struct Stage {
     [[nodiscard]] RenderResult render(std::string_view integrator, const Camera& camera,
                                       const RenderObserver& observer = {}) const {
         const Method& how = find_method(method);
-        const auto tracer = build_tracer(how, how.options(), mesh.view());
+        const auto tracer = make_tracer(build_tree(mesh.view(), how.options()).tree, mesh.view());
         const View view{tracer.get(), mesh.view(), &attributes, &lighting};
         return render::render(view, camera, *find_integrator(integrator).make(integrator_options),
                               options, observer);

@@ -41,9 +41,8 @@ TEST(InvalidIndex, IsRefusedWhereAMeshEnters) {
     EXPECT_EQ(error_of([&] { static_cast<void>(build_kd_tree(view)); }), expected);
     for (const Bvh8Preset preset :
          {Bvh8Preset::automatic, Bvh8Preset::fast, Bvh8Preset::balanced, Bvh8Preset::quality}) {
-        EXPECT_EQ(
-            error_of([&] { static_cast<void>(build_bvh8(view, {.bvh8 = {.preset = preset}})); }),
-            expected);
+        EXPECT_EQ(error_of([&] { static_cast<void>(build_bvh8(view, {.preset = preset})); }),
+                  expected);
     }
     EXPECT_EQ(error_of([&] { static_cast<void>(estimate_kd_tree(view, {})); }), expected);
     EXPECT_EQ(error_of([&] { static_cast<void>(estimate_bvh8(view, {})); }), expected);

@@ -20,9 +20,9 @@ TEST(LongNeedle, IsNotMissedInLeavesItPassesBy) {
     const TriangleMesh soup = scaled(make_soup(200, 0.2F, 5), 0x1.0p17F);
     const TriangleMesh mesh = joined(soup, needle);
     for (const char* method : {"exact", "binned", "adaptive", "sweep"}) {
-        BuildOptions options = find_method(method).options();
+        KdOptions options = find_method(method).kd_options();
         options.split.max_leaf = 3;
-        const auto findings = validate(build_kd_tree(mesh.view(), options), mesh.view());
+        const auto findings = validate(build_kd_tree(mesh.view(), options).tree, mesh.view());
         EXPECT_TRUE(findings.empty()) << method << ": " << findings[0].message;
     }
 }

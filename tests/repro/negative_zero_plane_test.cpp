@@ -32,14 +32,14 @@ class NegativeZeroPlane : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(NegativeZeroPlane, IsTheSameForAnyThreads) {
     const TriangleMesh mesh = make_both_sides_of_zero(20'000, GetParam());
-    BuildOptions options{
+    KdOptions options{
         .split = {.max_depth = 1}, .leaf_refinement = LeafRefinement::none, .threads = 1};
-    const KdTree expected = build_kd_tree(mesh.view(), options);
+    const KdTree expected = build_kd_tree(mesh.view(), options).tree;
     ASSERT_EQ(expected.root().plane(), (SplitPlane{Axis::x, 0.0F}));
     EXPECT_FALSE(std::signbit(expected.root().position()));
     options.threads = 2;
     for (int i = 0; i < 5; ++i) {
-        EXPECT_TRUE(build_kd_tree(mesh.view(), options) == expected);
+        EXPECT_TRUE(build_kd_tree(mesh.view(), options).tree == expected);
     }
 }
 

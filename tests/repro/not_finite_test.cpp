@@ -75,10 +75,8 @@ TEST(NotFinite, BoxesAreRefusedByEstimates) {
     const std::string expected = "primitive 7 has no finite box";
     EXPECT_EQ(error_of_build([&] { return estimate_kd_tree(mesh.view(), {}); }), expected);
     EXPECT_EQ(error_of_build([&] { return estimate_bvh8(mesh.view(), {}); }), expected);
-    EXPECT_EQ(error_of_build([&] { return build_kd_tree(mesh.view(), {}, nullptr, limit); }),
-              expected);
-    EXPECT_EQ(error_of_build([&] { return build_bvh8(mesh.view(), {}, nullptr, limit); }),
-              expected);
+    EXPECT_EQ(error_of_build([&] { return build_kd_tree(mesh.view(), {}, limit); }), expected);
+    EXPECT_EQ(error_of_build([&] { return build_bvh8(mesh.view(), {}, limit); }), expected);
 }
 
 }  // namespace

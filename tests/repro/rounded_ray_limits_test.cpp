@@ -22,7 +22,7 @@ TEST(RoundedRayLimits, HitsRoundedOntoThemCount) {
     for (const auto& [z, length] : {std::pair(1.0F, 3.0F), std::pair(7.0F, 10.0F)}) {
         const TriangleMesh mesh = at_z(z);
         const Ray ray{{0, 0, 0}, {0, 0, length}};
-        const KdTree tree = build_kd_tree(mesh.view());
+        const KdTree tree = build_kd_tree(mesh.view()).tree;
         const auto hit = brute_force_intersect(mesh.view(), ray);
         ASSERT_TRUE(hit.has_value());
         for (const auto& [t_min, t_max] :

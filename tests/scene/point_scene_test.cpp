@@ -49,13 +49,14 @@ TEST(PointScene, TakesPointsVeryFarAway) {
     std::vector<Vec3f> points = make_terrain(100, 4).vertices;
     points.push_back({1e30F, -1e30F, 1e25F});
     const PointScene scene(points);
-    EXPECT_EQ(scene.build_report().options.split.rule, "median");
+    EXPECT_EQ(std::get<KdOptions>(scene.build_report().options).split.rule, "median");
     for (const KdNode& node : scene.tree().nodes()) {
         EXPECT_TRUE(!node.is_leaf() || node.reference_count() < 512U);
     }
     EXPECT_EQ(scene.nearest(points[77]).prim, 77U);
     EXPECT_EQ(scene.nearest({1e29F, 0, 0}).prim, 0U) << "equally far to a double, all but one";
-    EXPECT_EQ(PointScene(points, {}).build_report().options.split.rule, "sah");
+    EXPECT_EQ(PointScene(points, {.split = {.max_leaf = 7}}).tree().bounds(),
+              scene.tree().bounds());
 }
 
 TEST(PointScene, OfNothingAndOfOne) {

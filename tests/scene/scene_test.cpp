@@ -27,7 +27,7 @@ TEST(Scene, TracesWhatItWasGiven) {
     const TriangleMesh mesh = make_soup(500, 0.1F, 1);
     const Scene scene(mesh);
     EXPECT_EQ(scene.mesh().triangles, mesh.triangles);
-    const KdTree planes = build_kd_tree(mesh.view());
+    const KdTree planes = build_kd_tree(mesh.view()).tree;
     RaySource rays(mesh, planes, 2);
     for (int i = 0; i < 300; ++i) {
         const Ray ray = rays.next(i % 2 == 0 ? RayKind::at_triangle : RayKind::line);
@@ -65,11 +65,11 @@ TEST(Scene, TracesManyRaysAndAllHits) {
 
 TEST(Scene, BuildsByItsOptions) {
     const TriangleMesh mesh = make_soup(500, 0.1F, 1);
-    const BuildOptions options{.sample = {.rate = 0.1, .seed = 3}, .bvh8 = {.sampled_from = 0}};
+    const Bvh8Options options{.sample = {.rate = 0.1, .seed = 3}, .sampled_from = 0};
     const Scene scene(mesh, options);
-    EXPECT_TRUE(is_same(scene.tree(), build_bvh8(mesh.view(), options)));
+    EXPECT_TRUE(is_same(scene.tree(), build_bvh8(mesh.view(), options).tree));
     EXPECT_TRUE(is_sound(scene.tree(), scene.mesh().view()));
-    EXPECT_EQ(scene.build_report().options.sample.rate, 0.1);
+    EXPECT_EQ(scene.build_report().sample.rate, 0.1);
     EXPECT_EQ(scene.build_report().primitive_count, 500U);
     EXPECT_EQ(scene.build_report().sample_count, 50U);
     EXPECT_EQ(scene.build_report().statistics.inner_count, scene.tree().nodes().size());

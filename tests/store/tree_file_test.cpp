@@ -27,13 +27,13 @@ const TreeOrigin origin{"fast", R"({"a": 1})"};
 
 std::string saved_bvh8(const TriangleMesh& mesh) {
     const std::filesystem::path file = fresh_folder() / "tree.cpk";
-    save_tree(file, build_bvh8(mesh.view(), {}), fingerprint_of(mesh.view()), origin);
+    save_tree(file, build_bvh8(mesh.view(), {}).tree, fingerprint_of(mesh.view()), origin);
     return read_file(file);
 }
 
 std::string saved_kd(const TriangleMesh& mesh) {
     const std::filesystem::path file = fresh_folder() / "tree.cpk";
-    save_tree(file, build_kd_tree(mesh.view(), {}), fingerprint_of(mesh.view()));
+    save_tree(file, build_kd_tree(mesh.view(), {}).tree, fingerprint_of(mesh.view()));
     return read_file(file);
 }
 
@@ -90,7 +90,7 @@ std::string with_changed(std::string bytes, std::size_t offset,
 TEST(TreeFile, ABvh8ComesBackAndTracesTheSame) {
     const TriangleMesh mesh = make_soup(3000, 0.1F, 1);
     const std::filesystem::path file = fresh_folder() / "tree.cpk";
-    const Bvh8 tree = build_bvh8(mesh.view(), {});
+    const Bvh8 tree = build_bvh8(mesh.view(), {}).tree;
     save_tree(file, tree, fingerprint_of(mesh.view()), origin);
     const SavedTree saved = load_tree(file, fingerprint_of(mesh.view()));
     EXPECT_EQ(saved.origin, origin);
@@ -119,7 +119,7 @@ TEST(TreeFile, ABvh8ComesBackAndTracesTheSame) {
 TEST(TreeFile, AKdTreeComesBackEqualAndCanBeEmptied) {
     const TriangleMesh mesh = make_terrain(20, 1);
     const std::filesystem::path file = fresh_folder() / "tree.cpk";
-    const KdTree tree = build_kd_tree(mesh.view(), {});
+    const KdTree tree = build_kd_tree(mesh.view(), {}).tree;
     save_tree(file, tree, fingerprint_of(mesh.view()));
     SavedTree saved = load_tree(file, fingerprint_of(mesh.view()));
     auto& loaded = std::get<KdTree>(saved.tree);
@@ -137,7 +137,7 @@ TEST(TreeFile, TreesOfNothingAndOfPointsComeBack) {
     EXPECT_TRUE(std::get<KdTree>(load_tree(file).tree) == KdTree());
     const std::vector<Vec3f> points{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}};
     const PointCloudView view{points};
-    const KdTree tree = build_kd_tree(view, {});
+    const KdTree tree = build_kd_tree(view, {}).tree;
     save_tree(file, tree, fingerprint_of(view));
     EXPECT_TRUE(std::get<KdTree>(load_tree(file, fingerprint_of(view)).tree) == tree);
 }
@@ -326,7 +326,7 @@ TEST(TreeFile, AForgedBvh8CannotLeadOutOfItsArrays) {
 TEST(TreeFile, IsWrittenWholeOrNotAtAll) {
     const std::filesystem::path folder = fresh_folder();
     const TriangleMesh mesh = make_soup(10, 0.1F, 1);
-    const Bvh8 tree = build_bvh8(mesh.view(), {});
+    const Bvh8 tree = build_bvh8(mesh.view(), {}).tree;
     for (const std::filesystem::path& file :
          {folder / "none" / "tree.cpk", folder, std::filesystem::path("/dev/full")}) {
         EXPECT_THROW(save_tree(file, tree, fingerprint_of(mesh.view())), Error) << file;

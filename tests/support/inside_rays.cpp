@@ -52,8 +52,8 @@ std::array<std::vector<float>, 3> planes_of(const KdTree& planes, const Bvh8& bo
 
 InsideRays::InsideRays(const TriangleMesh& mesh, std::uint64_t seed)
     : mesh_(mesh.view()), seed_(seed) {
-    const KdTree tree = build_kd_tree(mesh_);
-    const auto planes = planes_of(tree, build_bvh8(mesh_));
+    const KdTree tree = build_kd_tree(mesh_).tree;
+    const auto planes = planes_of(tree, build_bvh8(mesh_).tree);
     Random random(seed);
     for (std::size_t i = 0; i < 20 * wanted_points && points_.size() < wanted_points; ++i) {
         const Vec3d from = middle(mesh_.triangle(random.below(mesh_.size())));

@@ -23,7 +23,7 @@ namespace {
 class EveryIsa : public testing::TestWithParam<Isa> {
 protected:
     [[nodiscard]] static Bvh8Tracer make_tracer(const TriangleMesh& mesh) {
-        return {build_bvh8(mesh.view()), GetParam()};
+        return {build_bvh8(mesh.view()).tree, GetParam()};
     }
 };
 

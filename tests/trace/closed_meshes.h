@@ -4,6 +4,7 @@
 #include "coppice/base/parallel.h"
 #include "coppice/builders/method.h"
 
+#include "support/builds.h"
 #include "support/inside_rays.h"
 #include "support/isa.h"
 #include "support/meshes.h"
@@ -72,9 +73,7 @@ void for_all_trees(const TriangleMesh& mesh, Use&& use) {
     for (const Method& method : method_registry()) {
         for (const Isa isa : available_isas()) {
             const ForceIsa force(isa);
-            BuildOptions options = method.options();
-            options.bvh8.sampled_from = 0;
-            const lab::TracedTree tree(mesh.view(), method.tree, options);
+            const lab::TracedTree tree(mesh.view(), options_as_if_large(method));
             use(std::string(method.name) + ", " + std::string(name_of(isa)), tree);
         }
     }

@@ -67,7 +67,7 @@ void expect_hits(const KdTree& tree, TriangleMeshView mesh, const Ray& ray) {
 
 TEST_P(IntersectAllScene, EqualsBruteForceInPiecesOfAnySize) {
     const TriangleMesh mesh = GetParam().make();
-    const KdTree tree = build_kd_tree(mesh.view(), {.sample = {.rate = 0.3}});
+    const KdTree tree = build_kd_tree(mesh.view(), {.sample = {.rate = 0.3}}).tree;
     RaySource rays(mesh, tree, 23);
     for (const RayKind kind : all_ray_kinds) {
         for (int i = 0; i < 6; ++i) {
@@ -86,7 +86,7 @@ protected:
         for (const float z : {4.0F, 2.0F, 1.0F, 3.0F}) {
             mesh_ = joined(std::move(mesh_), make_sheet(1, {-1, -1, z}, {2, 0, 0}, {0, 2, 0}));
         }
-        tree_ = build_kd_tree(mesh_.view());
+        tree_ = build_kd_tree(mesh_.view()).tree;
     }
 
     TriangleMesh mesh_;

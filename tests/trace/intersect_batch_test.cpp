@@ -26,7 +26,7 @@ std::vector<Ray> make_rays(std::size_t count) {
 
 TEST(IntersectBatch, IsWhatSingleRaysAre) {
     const TriangleMesh mesh = make_sphere(20, 21);
-    const KdTree tree = build_kd_tree(mesh.view());
+    const KdTree tree = build_kd_tree(mesh.view()).tree;
     const std::vector<Ray> rays = make_rays(3000);
     constexpr std::size_t room = 3;
     for (const int threads : {1, 2, 0}) {
@@ -53,7 +53,7 @@ TEST(IntersectBatch, IsWhatSingleRaysAre) {
 
 TEST(IntersectBatch, RefusesSpansThatDoNotFit) {
     const TriangleMesh mesh = make_sphere(4, 5);
-    const KdTree tree = build_kd_tree(mesh.view());
+    const KdTree tree = build_kd_tree(mesh.view()).tree;
     const std::vector<Ray> rays = make_rays(10);
     std::vector<Hit> hits(19);
     std::vector<std::size_t> found(10);

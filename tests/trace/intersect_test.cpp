@@ -74,7 +74,8 @@ TEST_P(IntersectScene, EqualsBruteForceForAllKindsOfRays) {
         for (const LeafRefinement leaf_refinement : {LeafRefinement::none, LeafRefinement::kd}) {
             const KdTree tree = build_kd_tree(mesh.view(), {.sample = {.rate = rate},
                                                             .split = {.rule = rule, .max_leaf = 3},
-                                                            .leaf_refinement = leaf_refinement});
+                                                            .leaf_refinement = leaf_refinement})
+                                    .tree;
             EXPECT_TRUE(agrees_for_all_kinds(tree, mesh))
                 << "rate " << rate << ", growth " << name_of(leaf_refinement);
         }
@@ -93,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(Seed31, IntersectScene,
 
 TEST(Intersect, HitsNothingWithBadRays) {
     const TriangleMesh mesh = make_sphere(10, 10);
-    const KdTree tree = build_kd_tree(mesh.view());
+    const KdTree tree = build_kd_tree(mesh.view()).tree;
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     constexpr float infinity = std::numeric_limits<float>::infinity();
     const Ray good{{0, 0, 0}, {0.1F, 0.2F, 1}};
@@ -117,7 +118,7 @@ TEST(Intersect, HitsNothingWithBadRays) {
 
 TEST(Intersect, LooksBehindTheOriginIfAskedTo) {
     const TriangleMesh mesh = make_soup(300, 0.2F, 6);
-    const KdTree tree = build_kd_tree(mesh.view());
+    const KdTree tree = build_kd_tree(mesh.view()).tree;
     RaySource rays(mesh, tree, 7);
     for (int i = 0; i < 2000; ++i) {
         Ray ray = rays.next(RayKind::between_points);
@@ -128,7 +129,7 @@ TEST(Intersect, LooksBehindTheOriginIfAskedTo) {
 
 TEST(Intersect, TakesRaysOfAnyLengthAndPlace) {
     const TriangleMesh mesh = make_soup(300, 0.2F, 6);
-    const KdTree tree = build_kd_tree(mesh.view());
+    const KdTree tree = build_kd_tree(mesh.view()).tree;
     RaySource rays(mesh, tree, 9);
     Random random(10);
     for (int i = 0; i < 600; ++i) {
@@ -145,7 +146,7 @@ TEST(Intersect, TakesRaysOfAnyLengthAndPlace) {
 // Origins close to a plane of the tree, directions almost within it.
 TEST(Intersect, TakesRaysThatHardlyLeaveAPlane) {
     const TriangleMesh mesh = make_boxes(3);
-    const KdTree tree = build_kd_tree(mesh.view());
+    const KdTree tree = build_kd_tree(mesh.view()).tree;
     RaySource rays(mesh, tree, 12);
     Random random(13);
     for (int i = 0; i < 2000; ++i) {

@@ -72,8 +72,8 @@ TEST_P(Oracle, AgreesWithTreesOfAllMethods) {
     const Expected expected(mesh.view());
     for (const Method& method : method_registry()) {
         SCOPED_TRACE(method.name);
-        if (method.tree == TreeKind::kd) {
-            const KdTree tree = build_kd_tree(mesh.view(), method.options());
+        if (method.tree() == TreeKind::kd) {
+            const KdTree tree = build_kd_tree(mesh.view(), method.kd_options()).tree;
             compare(
                 expected, [&](const Ray& ray) { return intersect(tree, mesh.view(), ray); },
                 [&](const Ray& ray) { return occluded(tree, mesh.view(), ray); });
@@ -81,7 +81,7 @@ TEST_P(Oracle, AgreesWithTreesOfAllMethods) {
         }
         for (const Isa isa : available_isas()) {
             SCOPED_TRACE(name_of(isa));
-            const Bvh8Tracer tracer(build_bvh8(mesh.view(), method.options()), isa);
+            const Bvh8Tracer tracer(build_bvh8(mesh.view(), method.bvh8_options()).tree, isa);
             compare(
                 expected, [&](const Ray& ray) { return tracer.intersect(ray); },
                 [&](const Ray& ray) { return tracer.occluded(ray); });

@@ -9,14 +9,15 @@ namespace coppice::lab {
 namespace {
 
 TEST(Variant, IsAMethodWithItsOwnSampleOrAnother) {
-    EXPECT_EQ(find_variant("sampled").options.sample.rate, 0.01);
-    EXPECT_EQ(find_variant("exact").options.sample.rate, 1.0);
+    EXPECT_EQ(sample_of(find_variant("sampled").options).rate, 0.01);
+    EXPECT_EQ(sample_of(find_variant("exact").options).rate, 1.0);
     const Variant variant = find_variant("fast@12.5%");
     EXPECT_EQ(variant.method, "fast");
-    EXPECT_EQ(variant.tree, TreeKind::bvh8);
-    EXPECT_EQ(variant.options.sample.rate, 0.125);
-    EXPECT_EQ(variant.options.sample.sampler, find_method("fast").options().sample.sampler);
-    EXPECT_EQ(find_variant(variant_name("quality", 0.3)).options.sample.rate, 0.003);
+    EXPECT_EQ(tree_kind(variant.options), TreeKind::bvh8);
+    EXPECT_EQ(sample_of(variant.options).rate, 0.125);
+    EXPECT_EQ(sample_of(variant.options).sampler,
+              find_method("fast").bvh8_options().sample.sampler);
+    EXPECT_EQ(sample_of(find_variant(variant_name("quality", 0.3)).options).rate, 0.003);
 }
 
 TEST(Variant, RefusesOtherNames) {

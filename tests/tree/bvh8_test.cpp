@@ -45,7 +45,7 @@ TEST(Bvh8, NeedsARoot) {
 
 TEST(MeasureBvh8, CountsABlockAsOneTest) {
     const TriangleMesh mesh = make_sheet(2, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});  // 8 triangles
-    const TreeStatistics statistics = measure(build_bvh8(mesh.view()), {});
+    const TreeStatistics statistics = measure(build_bvh8(mesh.view()).tree, {});
     EXPECT_EQ(statistics.inner_count, 1U);
     EXPECT_EQ(statistics.leaf_count, 1U);
     EXPECT_EQ(statistics.reference_count, 8U);
@@ -58,7 +58,7 @@ TEST(MeasureBvh8, CountsABlockAsOneTest) {
 class SpoiledTree {
 public:
     explicit SpoiledTree(const TriangleMesh& mesh) : mesh_(mesh) {
-        const Bvh8 tree = build_bvh8(mesh.view());
+        const Bvh8 tree = build_bvh8(mesh.view()).tree;
         nodes.assign(tree.nodes().begin(), tree.nodes().end());
         blocks.assign(tree.blocks().begin(), tree.blocks().end());
         bounds_ = tree.bounds();

@@ -140,13 +140,15 @@ private:
     }
 
     [[nodiscard]] KdTree build(const report::TreeName& name) const {
-        BuildOptions options =
+        KdOptions options =
             find_protocol(name.protocol).options(options_.build, name.percent / all_percent, seed);
         options.sample.sampler = sampler_;
         const PointCloudView points(points_);
         const TriangleMeshView triangles = mesh_.view();
-        return points_.empty() ? build_kd_tree(triangles, options, nullptr, control())
-                               : build_kd_tree(points, options, nullptr, control());
+        BuildControl unmeasured = control();
+        unmeasured.is_measured = false;
+        return points_.empty() ? build_kd_tree(triangles, options, unmeasured).tree
+                               : build_kd_tree(points, options, unmeasured).tree;
     }
 
     [[nodiscard]] BuildControl control() const {

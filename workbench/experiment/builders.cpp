@@ -33,14 +33,14 @@ Builder method_builder(const ExperimentOptions& options, const std::string& name
                                      [&](const Peer& peer) { return peer.name == name; });
     if (is_peer) return {entry.name, entry.summary, TreeForm::peer, false, {""}, nullptr};
     const Method& method = find_method(name);
-    const SampleOptions own = method.options().sample;
-    const bool is_sampling = own.rate < 1.0;
-    const TreeForm form = method.tree == TreeKind::bvh8 ? TreeForm::bvh8 : TreeForm::kd;
+    const bool is_sampling = method.uses_sample();
+    const TreeForm form = method.tree() == TreeKind::bvh8 ? TreeForm::bvh8 : TreeForm::kd;
     return {entry.name,
             entry.summary,
             form,
             is_sampling,
-            is_sampling ? samplers_or(options, own.sampler) : std::vector<std::string>{""},
+            is_sampling ? samplers_or(options, sample_of(method.options()).sampler)
+                        : std::vector<std::string>{""},
             nullptr};
 }
 
@@ -49,9 +49,8 @@ Builder method_builder(const ExperimentOptions& options, const std::string& name
 std::vector<MethodEntry> experiment_methods() {
     std::vector<MethodEntry> entries;
     for (const Method& method : method_registry()) {
-        const bool is_one_of_the_others =
-            method.options().bvh8.preset == Bvh8Preset::automatic && method.tree == TreeKind::bvh8;
-        if (!is_one_of_the_others) entries.push_back({method.name, method.summary});
+        // An automatic one is one of the others.
+        if (!method.is_automatic()) entries.push_back({method.name, method.summary});
     }
     for (const Peer& peer : peer_registry()) {
         entries.push_back({peer.name, peer.summary});
@@ -78,22 +77,23 @@ std::string_view builder_summary(std::string_view builder) {
     return find_named(std::span<const MethodEntry>(entries), builder, "method").summary;
 }
 
-BuildOptions options_of(const Builder& builder, const BuildOptions& base,
-                        const std::string& sampler, double percent, std::uint64_t seed) {
+BuildOptions options_of(const Builder& builder, const KdOptions& base, const std::string& sampler,
+                        double percent, std::uint64_t seed) {
     if (builder.protocol != nullptr) {
-        BuildOptions options = base;
+        KdOptions options = base;
         options.sample.sampler = sampler;
         return builder.protocol->options(options, percent / 100.0, seed);
     }
     if (builder.form == TreeForm::peer) return base;
     BuildOptions options = find_method(builder.name).options();
-    options.cost.traversal = base.cost.traversal;
-    options.cost.intersection = base.cost.intersection;
-    options.threads = base.threads;
-    options.sample.seed = seed;
+    cost_of(options).traversal = base.cost.traversal;
+    cost_of(options).intersection = base.cost.intersection;
+    set_threads(options, base.threads);
+    SampleOptions& sample = sample_of(options);
+    sample.seed = seed;
     if (builder.is_sampling) {
-        options.sample.rate = percent / 100.0;
-        options.sample.sampler = sampler;
+        sample.rate = percent / 100.0;
+        sample.sampler = sampler;
     }
     return options;
 }

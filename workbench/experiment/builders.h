@@ -42,7 +42,7 @@ struct MethodEntry {
 
 /// The options of one build; `percent` in (0, 100]. Methods keep all of their own but the two costs
 /// and the threads; peers have those of `base`.
-[[nodiscard]] BuildOptions options_of(const Builder& builder, const BuildOptions& base,
+[[nodiscard]] BuildOptions options_of(const Builder& builder, const KdOptions& base,
                                       const std::string& sampler, double percent,
                                       std::uint64_t seed);
 

@@ -157,11 +157,11 @@ void check(const ExperimentOptions& options) {
     if (options.size < 1 || options.size > ExperimentOptions::max_size) {
         fail(fmt::format("size {} is outside [1, {}]", options.size, ExperimentOptions::max_size));
     }
-    check(options.build);
+    require_valid(options.build);
 }
 
 void to_json(json& to, const ExperimentOptions& options) {
-    const BuildOptions& build = options.build;
+    const KdOptions& build = options.build;
     to = {{"scenes", path_names(options.scenes)},
           {"primitives", kind_names(options.primitives)},
           {"protocols", options.protocols},
@@ -210,7 +210,7 @@ ExperimentOptions experiment_options_of(const json& from) {
     if (!options.rays.empty()) read_view(from, options);
     from.at("seeds").get_to(options.seed_count);
     options.tolerance = from.at("tolerance").get<double>() / 100.0;
-    BuildOptions& build = options.build;
+    KdOptions& build = options.build;
     from.at("split").get_to(build.split.rule);
     from.at("traversal_cost").get_to(build.cost.traversal);
     from.at("intersection_cost").get_to(build.cost.intersection);

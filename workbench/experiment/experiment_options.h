@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coppice/builders/build_options.h"
+#include "coppice/builders/kd_options.h"
 
 #include "scenes/camera.h"
 #include "scenes/ray_sets.h"
@@ -62,7 +62,7 @@ struct ExperimentOptions {
     render::CameraWish camera;  ///< for all scenes
     /// What all builds share. Each build's sampler, rate, seed, leaf limit and growth are set by
     /// its protocol; methods take only costs and threads from here.
-    BuildOptions build;
+    KdOptions build;
     /// What a scene and a build of ours may take; trees that would take more are left out. 0: none
     std::uint64_t memory_limit_bytes = 0;
     ReportParts report_parts = ReportParts::all;

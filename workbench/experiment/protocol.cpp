@@ -20,23 +20,23 @@ namespace coppice::lab {
 
 namespace {
 
-BuildOptions fixed_options(const BuildOptions& base, double rate, std::uint64_t seed) {
-    BuildOptions options = base;
+KdOptions fixed_options(const KdOptions& base, double rate, std::uint64_t seed) {
+    KdOptions options = base;
     options.sample.rate = rate;
     options.sample.seed = seed;
     options.leaf_refinement = LeafRefinement::none;
     return options;
 }
 
-BuildOptions scaled_options(const BuildOptions& base, double rate, std::uint64_t seed) {
-    BuildOptions options = fixed_options(base, rate, seed);
+KdOptions scaled_options(const KdOptions& base, double rate, std::uint64_t seed) {
+    KdOptions options = fixed_options(base, rate, seed);
     const double limit = std::round(base.split.max_leaf * rate);
     options.split.max_leaf = limit < 1.0 ? 1 : static_cast<std::uint32_t>(limit);
     return options;
 }
 
-BuildOptions grown_options(const BuildOptions& base, double rate, std::uint64_t seed) {
-    BuildOptions options = scaled_options(base, rate, seed);
+KdOptions grown_options(const KdOptions& base, double rate, std::uint64_t seed) {
+    KdOptions options = scaled_options(base, rate, seed);
     options.leaf_refinement = LeafRefinement::kd;
     return options;
 }

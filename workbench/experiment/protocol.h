@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coppice/builders/build_options.h"
+#include "coppice/builders/kd_options.h"
 
 #include <cstdint>
 #include <span>
@@ -14,7 +14,7 @@ struct Protocol {
     std::string_view name;
     std::string_view summary;
     /// `rate` in (0, 1]; sets the sample's rate and seed, the leaf limit and the growth.
-    BuildOptions (*options)(const BuildOptions& base, double rate, std::uint64_t seed);
+    KdOptions (*options)(const KdOptions& base, double rate, std::uint64_t seed);
 };
 
 /// All protocols, in the order in which they are run by default.

@@ -128,8 +128,9 @@ bool has_samplers(const SceneResult& scene) {
 
 /// What a table starts with: the scene, the kind, and what all its protocols' rows share.
 std::string title(const ResultRow& row, bool has_one_sampler, std::size_t seed_count) {
-    std::string text = fmt::format("{}, {}: {} primitives, {} splits", row.scene, row.primitives,
-                                   row.report.primitive_count, row.report.options.split.rule);
+    std::string text =
+        fmt::format("{}, {}: {} primitives, {} splits", row.scene, row.primitives,
+                    row.report.primitive_count, std::get<KdOptions>(row.report.options).split.rule);
     if (has_one_sampler) text += fmt::format(", {} sample", row.sampler);
     if (seed_count > 1) {
         text += fmt::format(

@@ -95,9 +95,9 @@ SceneRays::SceneRays(TriangleMeshView mesh, const RayOptions& options,
     : threads_(threads) {
     const Method& method = find_method(reference_method);
     BuildOptions build = method.options();
-    build.threads = threads;
+    set_threads(build, threads);
     run_with_threads(threads, [&] {
-        const TracedTree& tree = reference_.emplace(mesh, method.tree, build, control);
+        const TracedTree& tree = reference_.emplace(mesh, build, control);
         RayMaker maker(mesh, tree, options);
         for (const RayKind kind : kinds) {
             RaySet set{kind, maker.make(kind), {}};

@@ -19,9 +19,10 @@ void trace(AnyTree tree, const MeasuredScene& scene, TreeFigures& figures) {
     figures.rays = scene.rays->measure(TracedTree(scene.mesh, std::move(tree)));
 }
 
-TreeFigures measure_kd(const BuildOptions& options, const MeasuredScene& scene) {
+TreeFigures measure_kd(const KdOptions& options, const MeasuredScene& scene) {
     TreeFigures figures;
-    KdTree tree = build_kd_tree(scene.primitives, options, &figures.report, scene.control);
+    auto [tree, report] = build_kd_tree(scene.primitives, options, scene.control);
+    figures.report = std::move(report);
     const bool is_sampled =
         options.leaf_refinement == LeafRefinement::none && options.sample.rate < 1.0;
     if (is_sampled) figures.unsampled_tests = unsampled_tests(tree);
@@ -29,15 +30,17 @@ TreeFigures measure_kd(const BuildOptions& options, const MeasuredScene& scene) 
     return figures;
 }
 
-TreeFigures measure_bvh8(const BuildOptions& options, const MeasuredScene& scene) {
+TreeFigures measure_bvh8(const Bvh8Options& options, const MeasuredScene& scene) {
     TreeFigures figures;
-    trace(build_bvh8(scene.mesh, options, &figures.report, scene.control), scene, figures);
+    auto [tree, report] = build_bvh8(scene.mesh, options, scene.control);
+    figures.report = std::move(report);
+    trace(std::move(tree), scene, figures);
     return figures;
 }
 
 TreeFigures measure_peer(const Builder& builder, const BuildOptions& options,
                          const MeasuredScene& scene) {
-    const auto peer = find_named(peer_registry(), builder.name, "peer").make(options.threads);
+    const auto peer = find_named(peer_registry(), builder.name, "peer").make(threads_of(options));
     const BuildFigures built = peer->build(scene.mesh, true);
     TreeFigures figures;
     BuildReport& report = figures.report;
@@ -59,9 +62,9 @@ TreeFigures measure_tree(const Builder& builder, const BuildOptions& options,
                          const MeasuredScene& scene) {
     switch (builder.form) {
         case TreeForm::kd:
-            return measure_kd(options, scene);
+            return measure_kd(std::get<KdOptions>(options), scene);
         case TreeForm::bvh8:
-            return measure_bvh8(options, scene);
+            return measure_bvh8(std::get<Bvh8Options>(options), scene);
         case TreeForm::peer:
             break;
     }

@@ -25,7 +25,7 @@ struct SeenCosts {
 
 SeenCosts seen_costs(const ResultRow& row) {
     const TreeStatistics& statistics = row.report.statistics;
-    const double test = row.report.options.cost.intersection;
+    const double test = cost_of(row.report.options).intersection;
     SeenCosts seen{statistics.sah_cost, test * row.unsampled_tests, 0.0};
     const auto references = static_cast<double>(statistics.reference_count);
     if (!(references > 0.0)) return seen;

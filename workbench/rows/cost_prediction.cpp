@@ -45,7 +45,7 @@ CostPrediction prediction_of(const std::vector<const ResultRow*>& rows, const Ra
         Sums sums;
         for (const RayFigures& figures : row->rays) {
             const bool is_asked = kind == nullptr || figures.kind == *kind;
-            if (is_asked) sums.add(row->report.options.cost, figures);
+            if (is_asked) sums.add(cost_of(row->report.options), figures);
         }
         if (!(sums.rays > 0.0)) continue;
         costs.push_back(row->report.statistics.sah_cost);

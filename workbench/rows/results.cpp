@@ -66,7 +66,8 @@ constexpr std::array columns{
     Column{"protocol", [](const ResultRow& r) { return Cell(r.protocol); }},
     Column{"split",
            [](const ResultRow& r) {
-               return Cell(r.form == TreeForm::kd ? r.report.options.split.rule : std::string());
+               return Cell(r.form == TreeForm::kd ? std::get<KdOptions>(r.report.options).split.rule
+                                                  : std::string());
            }},
     Column{"sampler", [](const ResultRow& r) { return Cell(r.sampler); }},
     Column{"sample_percent", [](const ResultRow& r) { return Cell(r.sample_percent); }},

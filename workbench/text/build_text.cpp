@@ -32,7 +32,7 @@ std::string stages_text(const StageReports& stages) {
 
 std::string tree_text(const BuildReport& report) {
     const TreeStatistics& tree = report.statistics;
-    const SahCostModel& cost = report.options.cost;
+    const SahCostModel& cost = cost_of(report.options);
     return fmt::format(
         "  tree     {} nodes, {} leaves ({} empty), {} levels, {} references\n"
         "  cost     {:.4f}, by traversal {} and intersection {}: {:.2f} inner nodes, {:.2f} "
@@ -74,17 +74,26 @@ std::string estimate_text(const BuildReport& report) {
            estimate_line("wall seconds", estimate.seconds, report.stages.wall_seconds(), "{:.4f}");
 }
 
+std::string notes_text(const BuildReport& report) {
+    std::string text;
+    for (const BuildNote& note : report.notes) {
+        text += fmt::format("  note     {}: {}\n", note.option, note.reason);
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string build_text(const std::string& scene, const std::string& tree,
                        const BuildReport& report) {
-    const bool is_chosen = report.options.bvh8.preset != report.preset;
+    const auto* const bvh8 = std::get_if<Bvh8Options>(&report.options);
+    const bool is_chosen = bvh8 != nullptr && bvh8->preset != report.preset;
     const std::string method =
         is_chosen ? fmt::format("{} ({})", report.method, name_of(report.preset)) : report.method;
     return fmt::format("{}: {}, {}, {} of {} primitives sampled ({})\n", scene, method, tree,
-                       report.sample_count, report.primitive_count, report.options.sample.sampler) +
+                       report.sample_count, report.primitive_count, report.sample.sampler) +
            stages_text(report.stages) + tree_text(report) + memory_text(report) +
-           estimate_text(report);
+           estimate_text(report) + notes_text(report);
 }
 
 std::string process_text(std::uint64_t scene_bytes, std::uint64_t build_bytes,

@@ -18,20 +18,18 @@ namespace coppice::lab {
 
 namespace {
 
-/// The figures of a build, taken by `build(report)`: a function that builds, and that measures the
-/// tree as well if it is given a report.
+/// The figures of a build, taken by `build(control)`, which returns its report.
 template <typename Build>
-BuildFigures figures_of(bool is_measured, BuildFigures last, Build&& build) {
-    if (!is_measured) {
+BuildFigures figures_of(const BuildControl& control, BuildFigures last, Build&& build) {
+    if (!control.is_measured) {
         const Timer wall;
         const CpuTimer cpu;
-        build(nullptr);
+        static_cast<void>(build(control));
         last.wall_seconds = wall.seconds();
         last.cpu_seconds = cpu.seconds();
         return last;
     }
-    BuildReport report;
-    build(&report);
+    const BuildReport report = build(control);
     // The call did more than build: it measured.
     return {report.stages.wall_seconds(),
             report.stages.cpu_seconds(),
@@ -42,18 +40,26 @@ BuildFigures figures_of(bool is_measured, BuildFigures last, Build&& build) {
             report.sample_count / static_cast<double>(std::max(1U, report.primitive_count))};
 }
 
+/// The limit is that of the measured build alone: it would be estimated each time.
+BuildControl control_of(bool is_measured, std::uint64_t memory_limit_bytes, TriangleMeshView mesh) {
+    BuildControl control = limit_memory(is_measured ? memory_limit_bytes : 0, mesh);
+    control.is_measured = is_measured;
+    return control;
+}
+
 /// A k-d tree.
 class KdContestant final : public Contestant {
 public:
-    KdContestant(BuildOptions options, std::uint64_t memory_limit_bytes)
+    KdContestant(KdOptions options, std::uint64_t memory_limit_bytes)
         : options_(std::move(options)), memory_limit_bytes_(memory_limit_bytes) {}
 
     BuildFigures build(TriangleMeshView mesh, bool is_measured) override {
         mesh_ = mesh;
-        return figures_ = figures_of(is_measured, figures_, [&](BuildReport* report) {
-                   const BuildControl control =
-                       limit_memory(is_measured ? memory_limit_bytes_ : 0, mesh);
-                   tree_ = build_kd_tree(mesh, options_, report, control);
+        const BuildControl control = control_of(is_measured, memory_limit_bytes_, mesh);
+        return figures_ = figures_of(control, figures_, [&](const BuildControl& how) {
+                   auto [tree, report] = build_kd_tree(mesh, options_, how);
+                   tree_ = std::move(tree);
+                   return std::move(report);
                });
     }
 
@@ -75,7 +81,7 @@ public:
     }
 
 private:
-    BuildOptions options_;
+    KdOptions options_;
     std::uint64_t memory_limit_bytes_;
     TriangleMeshView mesh_;
     KdTree tree_;
@@ -85,17 +91,17 @@ private:
 /// An 8-wide tree.
 class Bvh8Contestant final : public Contestant {
 public:
-    Bvh8Contestant(BuildOptions options, std::uint64_t memory_limit_bytes)
+    Bvh8Contestant(Bvh8Options options, std::uint64_t memory_limit_bytes)
         : options_(std::move(options)), memory_limit_bytes_(memory_limit_bytes) {}
 
     BuildFigures build(TriangleMeshView mesh, bool is_measured) override {
-        return figures_ = figures_of(is_measured, figures_, [&](BuildReport* report) {
-                   const BuildControl control =
-                       limit_memory(is_measured ? memory_limit_bytes_ : 0, mesh);
-                   tracer_.emplace(build_bvh8(mesh, options_, report, control));
-                   if (report == nullptr) return;
-                   options_.sample = report->options.sample;
-                   options_.bvh8.preset = report->preset;
+        const BuildControl control = control_of(is_measured, memory_limit_bytes_, mesh);
+        return figures_ = figures_of(control, figures_, [&](const BuildControl& how) {
+                   auto [tree, report] = build_bvh8(mesh, options_, how);
+                   tracer_.emplace(std::move(tree));
+                   options_.sample = report.sample;
+                   options_.preset = report.preset;
+                   return std::move(report);
                });
     }
 
@@ -118,7 +124,7 @@ public:
     }
 
 private:
-    BuildOptions options_;
+    Bvh8Options options_;
     std::uint64_t memory_limit_bytes_;
     std::optional<Bvh8Tracer> tracer_;
     BuildFigures figures_;
@@ -129,11 +135,12 @@ private:
 std::unique_ptr<Contestant> make_contestant(const Variant& variant, int threads,
                                             std::uint64_t memory_limit_bytes) {
     BuildOptions options = variant.options;
-    options.threads = threads;
-    if (variant.tree == TreeKind::bvh8) {
-        return std::make_unique<Bvh8Contestant>(std::move(options), memory_limit_bytes);
+    set_threads(options, threads);
+    if (auto* const kd = std::get_if<KdOptions>(&options)) {
+        return std::make_unique<KdContestant>(std::move(*kd), memory_limit_bytes);
     }
-    return std::make_unique<KdContestant>(std::move(options), memory_limit_bytes);
+    return std::make_unique<Bvh8Contestant>(std::get<Bvh8Options>(std::move(options)),
+                                            memory_limit_bytes);
 }
 
 }  // namespace coppice::lab

@@ -63,25 +63,23 @@ std::unique_ptr<RayTracer> make_tracer(AnyTree tree, TriangleMeshView mesh) {
     return std::make_unique<KdRayTracer>(std::get<KdTree>(std::move(tree)), mesh);
 }
 
-std::unique_ptr<RayTracer> build_tracer(const Method& method, const BuildOptions& options,
-                                        TriangleMeshView mesh, BuildReport* report,
-                                        const BuildControl& control) {
-    AnyTree tree;
-    if (method.tree == TreeKind::kd) {
-        tree = build_kd_tree(mesh, options, report, control);
-    } else {
-        tree = build_bvh8(mesh, options, report, control);
+AnyBuild build_tree(TriangleMeshView mesh, const BuildOptions& options,
+                    const BuildControl& control) {
+    if (const auto* const kd = std::get_if<KdOptions>(&options)) {
+        auto [tree, report] = build_kd_tree(mesh, *kd, control);
+        return {std::move(tree), std::move(report)};
     }
-    if (report != nullptr) report->method = method.name;
-    return make_tracer(std::move(tree), mesh);
+    auto [tree, report] = build_bvh8(mesh, std::get<Bvh8Options>(options), control);
+    return {std::move(tree), std::move(report)};
 }
 
 std::unique_ptr<RayTracer> picture_tracer(TriangleMeshView mesh, int threads,
                                           const BuildControl& control) {
-    const Method& method = find_method("fast");
-    BuildOptions build = method.options();
-    build.threads = threads;
-    return build_tracer(method, build, mesh, nullptr, control);
+    Bvh8Options options = find_method("fast").bvh8_options();
+    options.threads = threads;
+    BuildControl unmeasured = control;
+    unmeasured.is_measured = false;
+    return make_tracer(build_bvh8(mesh, options, unmeasured).tree, mesh);
 }
 
 }  // namespace coppice::render

@@ -35,13 +35,15 @@ public:
 /// What traces a tree that there is, over a mesh, which must outlive the tracer.
 [[nodiscard]] std::unique_ptr<RayTracer> make_tracer(AnyTree tree, TriangleMeshView mesh);
 
-/// Builds a tree over a mesh, which must outlive the tracer, by a method with `options`. Throws
-/// Error like build_kd_tree() and build_bvh8().
-[[nodiscard]] std::unique_ptr<RayTracer> build_tracer(const Method& method,
-                                                      const BuildOptions& options,
-                                                      TriangleMeshView mesh,
-                                                      BuildReport* report = nullptr,
-                                                      const BuildControl& control = {});
+/// A tree of either kind, and how it was built.
+struct AnyBuild {
+    AnyTree tree;
+    BuildReport report;
+};
+
+/// Builds a tree by options of either kind. Throws Error like build_kd_tree() and build_bvh8().
+[[nodiscard]] AnyBuild build_tree(TriangleMeshView mesh, const BuildOptions& options,
+                                  const BuildControl& control = {});
 
 /// What pictures of a mesh are traced with: the tree `fast`, built for it by at most `threads`
 /// threads. The mesh must outlive it. Throws like build_bvh8().

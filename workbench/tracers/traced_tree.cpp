@@ -1,22 +1,26 @@
 #include "tracers/traced_tree.h"
 
-#include "coppice/builders/build_tree.h"
 #include "coppice/trace/intersect.h"
+
+#include "tracers/ray_tracer.h"
 
 #include <utility>
 #include <variant>
 
 namespace coppice::lab {
 
-TracedTree::TracedTree(TriangleMeshView mesh, TreeKind kind, const BuildOptions& options,
-                       const BuildControl& control)
-    : mesh_(mesh) {
-    if (kind == TreeKind::bvh8) {
-        bvh8_.emplace(build_bvh8(mesh, options, nullptr, control));
-    } else {
-        kd_ = build_kd_tree(mesh, options, nullptr, control);
-    }
+namespace {
+
+BuildControl unmeasured(BuildControl control) {
+    control.is_measured = false;
+    return control;
 }
+
+}  // namespace
+
+TracedTree::TracedTree(TriangleMeshView mesh, const BuildOptions& options,
+                       const BuildControl& control)
+    : TracedTree(mesh, render::build_tree(mesh, options, unmeasured(control)).tree) {}
 
 TracedTree::TracedTree(TriangleMeshView mesh, AnyTree tree) : mesh_(mesh) {
     if (auto* const wide = std::get_if<Bvh8>(&tree)) {

@@ -16,7 +16,7 @@ namespace coppice::lab {
 class TracedTree {
 public:
     /// Builds the tree. Throws like build_kd_tree() and build_bvh8().
-    TracedTree(TriangleMeshView mesh, TreeKind kind, const BuildOptions& options,
+    TracedTree(TriangleMeshView mesh, const BuildOptions& options,
                const BuildControl& control = {});
 
     /// Takes a tree that there is, over that mesh.

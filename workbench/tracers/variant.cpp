@@ -34,9 +34,9 @@ std::string variant_name(std::string_view method, double percent) {
 Variant find_variant(std::string_view name) {
     const std::size_t at = name.find('@');
     const Method& method = find_method(name.substr(0, at));
-    Variant variant{method.name, method.tree, method.options()};
+    Variant variant{method.name, method.options()};
     if (at != std::string_view::npos) {
-        variant.options.sample.rate = read_percent(name, name.substr(at + 1)) / 100.0;
+        sample_of(variant.options).rate = read_percent(name, name.substr(at + 1)) / 100.0;
     }
     return variant;
 }

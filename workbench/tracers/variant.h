@@ -10,7 +10,6 @@ namespace coppice::lab {
 /// A method, perhaps with another sample than its own.
 struct Variant {
     std::string_view method;  ///< its name in method_registry()
-    TreeKind tree = TreeKind::kd;
     BuildOptions options;
 };
 

@@ -32,7 +32,7 @@ void check(const TuneOptions& options) {
 std::vector<std::string> variants_of(const TuneOptions& options) {
     std::vector<std::string> variants;
     for (const std::string& method : options.methods) {
-        const bool is_sampling = find_method(method).options().sample.rate < 1.0;
+        const bool is_sampling = find_method(method).uses_sample();
         for (const double percent : options.percents) {
             if (is_sampling) variants.push_back(variant_name(method, percent));
         }

@@ -81,7 +81,7 @@ std::vector<Candidate> find_candidates(const Bvh8& tree, const Ray& ray) {
 }  // namespace
 
 ExactJudge::ExactJudge(TriangleMeshView mesh)
-    : mesh_(mesh), tree_(build_bvh8(mesh, find_method("fast").options())) {}
+    : mesh_(mesh), tree_(build_bvh8(mesh, find_method("fast").bvh8_options()).tree) {}
 
 std::optional<ExactHit> ExactJudge::closest(const Ray& ray,
                                             std::span<const std::uint32_t> claimed) const {

@@ -27,9 +27,9 @@ struct TraceOptions {
     static constexpr int max_size = 8192;
 
     std::vector<std::filesystem::path> scenes;
-    std::string method = "auto";  ///< a name of method_registry()
-    BuildOptions build;           ///< of that method, with what is to be different
-    std::filesystem::path tree;   ///< a saved tree instead, of the one scene
+    std::string method = "auto";         ///< a name of method_registry()
+    BuildOptions build = Bvh8Options{};  ///< of that method, with what is to be different
+    std::filesystem::path tree;          ///< a saved tree instead, of the one scene
     std::vector<RayKind> rays{RayKind::primary, RayKind::shadow, RayKind::diffuse,
                               RayKind::random,  RayKind::axis,   RayKind::grazing};
     int size = 1000;            ///< rays of each kind, squared: pixels of the image, each way

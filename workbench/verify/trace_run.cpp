@@ -60,7 +60,7 @@ public:
     SceneTrace(const Run& run, TraceScene& scene, TriangleMeshView mesh)
         : run_(run), scene_(scene), mesh_(mesh) {
         const Aabb box = bounds_of(mesh.vertices());
-        scene_.camera = choose_ray_camera(mesh, run.options.camera, run.options.build.threads);
+        scene_.camera = choose_ray_camera(mesh, run.options.camera, threads_of(run.options.build));
         scene_.light = render::place_light(scene_.camera, box);
     }
 
@@ -68,7 +68,7 @@ public:
         const Timer timer;
         if (run_.options.tree.empty()) {
             tell("building");
-            tree_.emplace(mesh_, find_method(run_.options.method).tree, run_.options.build,
+            tree_.emplace(mesh_, run_.options.build,
                           limit_memory(run_.options.memory_limit_bytes, mesh_));
             scene_.method = run_.options.method;
         } else {
@@ -82,7 +82,7 @@ public:
         maker_.emplace(mesh_, *tree_,
                        RayOptions{scene_.camera, scene_.light, options.size, options.seed});
         if (run_.options.check != TraceCheck::none) {
-            check_.emplace(mesh_, run_.options.check, run_.options.build.threads);
+            check_.emplace(mesh_, run_.options.check, threads_of(run_.options.build));
         }
         for (const RayKind kind : run_.options.rays) {
             scene_.rows.push_back(run_kind(kind));
@@ -160,7 +160,7 @@ std::vector<TraceScene> run_trace(const TraceOptions& options, const TraceObserv
         scene.file = options.scenes[i];
         const TriangleMesh mesh = load_scene(run, scene);
         scene.triangles = mesh.triangles.size();
-        run_with_threads(options.build.threads,
+        run_with_threads(threads_of(options.build),
                          [&] { SceneTrace(run, scene, mesh.view()).run_all(); });
         if (observer.on_scene) observer.on_scene(scene);
     }

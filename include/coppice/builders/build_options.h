@@ -1,99 +1,31 @@
 #pragma once
 
-#include "coppice/cost/sah_cost_model.h"
-#include "coppice/sample/sampler.h"
+#include "coppice/builders/bvh8_options.h"
+#include "coppice/builders/kd_options.h"
 
 #include <cstdint>
-#include <limits>
-#include <string>
+#include <variant>
 
 namespace coppice::inline v0 {
 
-/// What a primitive's box becomes when a plane cuts it.
-enum class Clipping {
-    perfect,      ///< the box of the primitive's part on that side (perfect splits)
-    bounding_box  ///< the box cut at the plane
-};
+/// Which tree is built, and so by which function: build_kd_tree() or build_bvh8().
+enum class TreeKind : std::uint8_t { kd, bvh8 };
 
-/// What a sampled primitive counts in the costs and leaf sizes of the sampled tree.
-enum class SampleWeighting {
-    sampled,  ///< one, as in the thesis
-    expected  ///< as many as it stands for: 1 / its probability to be drawn, in steps of 1/256
-};
+/// The options of either builder, for programs that choose it at run time.
+using BuildOptions = std::variant<KdOptions, Bvh8Options>;
 
-/// When a node of the sampled tree becomes a leaf.
-enum class Termination {
-    limits,  ///< at max_leaf primitives, or after bad_refines splits that do not pay
-    sah      ///< when no split on any axis costs less than the leaf
-};
+/// The kind of tree that the options are for.
+[[nodiscard]] inline TreeKind tree_kind(const BuildOptions& options) noexcept {
+    return std::holds_alternative<KdOptions>(options) ? TreeKind::kd : TreeKind::bvh8;
+}
 
-/// When and where the sampled tree is split. Source: [Tsiompikas2022] sec. 4.3.1.
-struct SplitOptions {
-    std::string rule = "sah";     ///< a name of split_finder_registry()
-    int max_depth = 50;           ///< leaves are no deeper; in [0, 60]
-    std::uint32_t max_leaf = 32;  ///< no node with at most so many primitives is split; >= 1
-    int bad_refines = 3;          ///< the split that would be the n-th on its path to cost more
-                                  ///< than the leaf is refused; >= 1
-    Clipping clipping = Clipping::perfect;  ///< what is done with a primitive that a plane cuts
-    SampleWeighting sample_weighting =
-        SampleWeighting::sampled;                   ///< what a sampled primitive counts
-    Termination termination = Termination::limits;  ///< when a node becomes a leaf
-    /// Where splits go on as long as they pay, in a build that stops so and in growth: nodes of
-    /// fewer primitives are not split; >= 1.
-    std::uint32_t min_split = 1;
-    /// There, too: references that a primitive may become, on average along a path; >= 1.
-    std::uint32_t max_duplication = std::numeric_limits<std::uint32_t>::max();
-};
+// What both kinds have.
 
-/// How the refilled leaves go on.
-enum class LeafRefinement {
-    none,  ///< they do not: the thesis's tree
-    kd     ///< each is built on as a k-d tree until no split pays
-};
-
-/// How much an 8-wide tree may cost to build.
-enum class Bvh8Preset {
-    automatic,  ///< fast, or quality where 30 rays and more are expected for a triangle; at a
-                ///< sampling rate of 1 fast takes its own sample: 1 %, weighted
-    fast,       ///< least build time: cells by centroids, nothing is cut
-    balanced,   ///< cells by planes, which cut the triangles between them: better for large ones
-    quality     ///< spatial splits throughout, at most 1.1 references a triangle: for many rays
-};
-
-/// How build_bvh8() goes about its work; k-d trees do not use it.
-struct Bvh8Options {
-    Bvh8Preset preset = Bvh8Preset::automatic;  ///< how much the build may cost
-    double expected_rays = 1e7;            ///< that will be traced: what `automatic` goes by; >= 0
-    std::uint32_t cell_size = 0;           ///< triangles a cell is to hold, >= 64; 0: the preset's
-    std::uint32_t sampled_from = 200'000;  ///< scenes of fewer triangles are not sampled
-};
-
-/// Everything a build depends on, beside the primitives.
-struct BuildOptions {
-    SampleOptions sample;  ///< which primitives the tree is built from
-    SplitOptions split;    ///< when and where nodes are split
-    LeafRefinement leaf_refinement = LeafRefinement::kd;  ///< how the refilled leaves go on
-    SahCostModel cost;  ///< what a tree is built for and measured by
-    Bvh8Options bvh8;   ///< of build_bvh8() only
-    int threads = 0;    ///< at most so many; 0 = all the hardware has
-};
-
-/// Throws Error(invalid_argument) naming the first option outside its range.
-void check(const BuildOptions& options);
-
-/// The stable lower-case name, e.g. "bounding_box".
-[[nodiscard]] const char* name_of(Clipping clipping) noexcept;
-
-/// The stable lower-case name, e.g. "expected".
-[[nodiscard]] const char* name_of(SampleWeighting sample_weighting) noexcept;
-
-/// The stable lower-case name, e.g. "limits".
-[[nodiscard]] const char* name_of(Termination termination) noexcept;
-
-/// The stable lower-case name, e.g. "automatic".
-[[nodiscard]] const char* name_of(Bvh8Preset preset) noexcept;
-
-/// The stable lower-case name, e.g. "kd".
-[[nodiscard]] const char* name_of(LeafRefinement leaf_refinement) noexcept;
+[[nodiscard]] const SampleOptions& sample_of(const BuildOptions& options) noexcept;
+[[nodiscard]] SampleOptions& sample_of(BuildOptions& options) noexcept;
+[[nodiscard]] const SahCostModel& cost_of(const BuildOptions& options) noexcept;
+[[nodiscard]] SahCostModel& cost_of(BuildOptions& options) noexcept;
+[[nodiscard]] int threads_of(const BuildOptions& options) noexcept;
+void set_threads(BuildOptions& options, int threads) noexcept;
 
 }  // namespace coppice::inline v0

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace coppice::inline v0 {
 
@@ -46,19 +47,36 @@ struct BuildEstimate {
     double seconds = 0.0;     ///< wall clock
 };
 
-/// What a build did: its options, sizes, times, memory, and the measured tree.
+/// An option that was asked for and had no effect, or another one, and why.
+struct BuildNote {
+    std::string option;  ///< its name, e.g. "sample.rate"
+    std::string reason;  ///< e.g. "max_leaf limits nothing where termination is sah"
+
+    friend bool operator==(const BuildNote&, const BuildNote&) = default;
+};
+
+/// What a build was asked for, what it did, why they differ, and the measured tree.
 struct BuildReport {
-    BuildOptions options;  ///< those that the build was given
+    BuildOptions options;  ///< as asked for
     std::string method;    ///< the name in method_registry(), if it was built by name
+    SampleOptions sample;  ///< as it was drawn; a rate of 1 if all primitives were taken
     Bvh8Preset preset = Bvh8Preset::automatic;  ///< that an 8-wide tree was built by
     std::string preset_reason;  ///< why it is a smaller one than `automatic` had chosen, or nothing
+    std::vector<BuildNote> notes;       ///< on what was asked for and not done; see notes_on()
     std::uint32_t primitive_count = 0;  ///< over which the tree is built
     std::uint32_t sample_count = 0;     ///< drawn from them
     StageReports stages;                ///< what each of them took
     std::uint64_t tree_bytes = 0;       ///< of the finished tree
     std::uint64_t peak_bytes = 0;  ///< the most that the build's arrays held, the tree included
     std::optional<BuildEstimate> estimate;  ///< if one was asked for before the build
-    TreeStatistics statistics;              ///< of the finished tree, with its SAH cost
+    TreeStatistics statistics;  ///< of the finished tree; all 0 unless BuildControl::is_measured
 };
+
+/// The options that have no effect on a build of `primitive_count` primitives, or another than they
+/// ask for. What is left at its default is not asked for.
+[[nodiscard]] std::vector<BuildNote> notes_on(const KdOptions& options,
+                                              std::uint32_t primitive_count);
+[[nodiscard]] std::vector<BuildNote> notes_on(const Bvh8Options& options,
+                                              std::uint32_t primitive_count);
 
 }  // namespace coppice::inline v0

@@ -1,15 +1,14 @@
 #pragma once
 
 #include <atomic>
-#include <cstddef>
 #include <functional>
 #include <mutex>
 
 namespace coppice::inline v0 {
 
-/// How far a build is, for BuildControl::on_progress. Passed along by pointer; without one nobody
-/// is told. Stages come one after another, each a share of the whole that is known before it; what
-/// is done of a stage may be told from several threads at once.
+/// How far a build is, for BuildControl::on_progress. Stages come one after another, each a share
+/// of the whole that is known before it; what is done of a stage may be told from several threads
+/// at once.
 class Progress {
 public:
     /// Tells the listener that nothing is done yet.
@@ -34,18 +33,5 @@ private:
     std::atomic<double> next_told_{0.0};  // nothing less is told
     std::mutex mutex_;
 };
-
-/// What a node, of a share of the work of its stage, has of that for itself and for its children.
-struct NodeShares {
-    double own;    ///< for passing over its own primitives
-    double below;  ///< for the child below the plane
-    double above;  ///< for the child above it
-};
-
-/// Divides the share of a node of `count` PrimRefs by the work to come: the node's own grows with
-/// its PrimRefs, the children's with theirs and the number of levels below. `count` is at least 1.
-/// Of no share all are 0.
-[[nodiscard]] NodeShares divide_share(double share, std::size_t count, std::size_t below,
-                                      std::size_t above) noexcept;
 
 }  // namespace coppice::inline v0

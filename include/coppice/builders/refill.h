@@ -1,8 +1,7 @@
 #pragma once
 
-#include "coppice/base/memory_meter.h"
-#include "coppice/builders/build_options.h"
-#include "coppice/builders/progress.h"
+#include "coppice/builders/build_context.h"
+#include "coppice/builders/kd_options.h"
 #include "coppice/geom/primitive_set.h"
 #include "coppice/tree/kd_tree.h"
 
@@ -14,7 +13,6 @@ namespace coppice::inline v0 {
 /// Throws Error(limit) if there would be more than 2^32 - 1 references.
 /// Source: [Tsiompikas2022] sec. 4.3.3.
 [[nodiscard]] KdTree refill(Skeleton&& skeleton, PrimitiveSetView primitives,
-                            const BuildOptions& options, MemoryMeter* meter = nullptr,
-                            Progress* progress = nullptr);
+                            const KdOptions& options, const BuildContext& context = {});
 
 }  // namespace coppice::inline v0

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "coppice/base/cpu.h"
+#include "coppice/builders/kd_options.h"
 #include "coppice/cost/sah_cost_model.h"
 #include "coppice/geom/aabb.h"
 #include "coppice/tree/kd_node.h"
@@ -51,6 +52,15 @@ public:
 
     /// A plane strictly inside the box, or nothing if the rule has none to offer.
     [[nodiscard]] virtual std::optional<SplitCandidate> find(const SplitQuery& query) const = 0;
+
+    /// True if find() gives the cheapest split at any end of any PrimRef on any axis, of equal ones
+    /// the first by axis, then by position. Whole trees are then built from events sorted once,
+    /// which gives the same tree sooner, and find() is asked about small nodes only, if at all.
+    [[nodiscard]] virtual bool finds_cheapest_end() const noexcept { return false; }
+
+    /// True if a build that splits as long as it pays may cut the boxes of primitives in place of
+    /// the primitives where a node has few: faster, and a little worse.
+    [[nodiscard]] virtual bool allows_loose_small_nodes() const noexcept { return false; }
 };
 
 /// A split rule under its name, with one line on what it does.
@@ -65,5 +75,9 @@ struct SplitFinderEntry {
 
 /// The rule of that name. Throws Error(invalid_argument) naming those that exist.
 [[nodiscard]] const SplitFinder& find_split_finder(std::string_view name);
+
+/// The rule that the options ask for: their own, or that of the name. Throws like
+/// find_split_finder().
+[[nodiscard]] const SplitFinder& split_finder_of(const SplitOptions& options);
 
 }  // namespace coppice::inline v0

@@ -1,5 +1,9 @@
 #pragma once
 
+#include "coppice/cost/cost_model.h"
+
+#include <memory>
+
 namespace coppice::inline v0 {
 
 /// The surface area heuristic's constants, in the same arbitrary unit of time.
@@ -8,10 +12,16 @@ struct SahCostModel {
     double traversal = 1.0;     ///< of one inner node; >= 0
     double intersection = 1.0;  ///< of one primitive; > 0
     double empty_bonus = 0.5;   ///< share of the cost taken off a split with an empty side; [0, 1)
+    std::shared_ptr<const CostModel> custom = {};  ///< one of your own, instead of the constants
+
+    /// The cost of passing one inner node.
+    [[nodiscard]] double traversal_cost() const noexcept {
+        return custom ? custom->traversal_cost() : traversal;
+    }
 
     /// The cost of a leaf of `count` primitives once a ray is in it.
-    [[nodiscard]] constexpr double leaf_cost(double count) const noexcept {
-        return intersection * count;
+    [[nodiscard]] double leaf_cost(double count) const noexcept {
+        return custom ? custom->leaf_cost(count) : intersection * count;
     }
 
     /// The expected cost of a split for a ray in the node, if both children were leaves.
@@ -22,6 +32,6 @@ struct SahCostModel {
 };
 
 /// Throws Error(invalid_argument) naming the first constant outside its range.
-void check(const SahCostModel& model);
+void require_valid(const SahCostModel& model);
 
 }  // namespace coppice::inline v0

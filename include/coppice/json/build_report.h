@@ -9,7 +9,8 @@ namespace coppice::inline v0 {
 /// Serializes all fields under their own names.
 void to_json(nlohmann::json& json, const BuildEstimate& estimate);
 
-/// Serializes all fields under their own names; `stages` with a `total`, no estimate as null.
+/// Serializes all fields under their own names; `stages` with a `total`, `notes` as an array of
+/// {"option", "reason"}, no estimate as null.
 void to_json(nlohmann::json& json, const BuildReport& report);
 
 }  // namespace coppice::inline v0

@@ -6,7 +6,8 @@
 
 namespace coppice::inline v0 {
 
-/// Serializes a model, all constants under their own names.
+/// Serializes a model, all constants under their own names; one of your own as `custom`: true
+/// beside them.
 void to_json(nlohmann::json& json, const SahCostModel& model);
 
 }  // namespace coppice::inline v0

@@ -3,12 +3,15 @@
 #include "coppice/geom/primitive_set.h"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace coppice::inline v0 {
+
+class Sampler;
 
 /// How to choose the primitives a tree is built from.
 struct SampleOptions {
@@ -18,6 +21,7 @@ struct SampleOptions {
     double uniform_share = 0.5;       ///< `weighted` only: the part of the inclusion probability
                                       ///< that is the same for all, in [0, 1]; at least 2^-20 is
                                       ///< taken, so that no primitive is impossible
+    std::shared_ptr<const Sampler> custom_sampler = {};  ///< one of your own, instead of `sampler`
 };
 
 /// The primitives chosen: distinct ids, ascending.
@@ -40,6 +44,9 @@ public:
     /// primitives.size(); the same for the same options, whatever the number of threads.
     [[nodiscard]] virtual Sample draw(PrimitiveSetView primitives, std::uint32_t count,
                                       const SampleOptions& options) const = 0;
+
+    /// False if SampleOptions::uniform_share means nothing to it.
+    [[nodiscard]] virtual bool uses_uniform_share() const noexcept { return true; }
 };
 
 /// A sampler under its name, with one line on what it does.
@@ -54,6 +61,13 @@ struct SamplerEntry {
 
 /// The sampler of that name. Throws Error(invalid_argument) naming those that exist.
 [[nodiscard]] const Sampler& find_sampler(std::string_view name);
+
+/// The sampler that the options ask for: their own, or that of the name. Throws like
+/// find_sampler().
+[[nodiscard]] const Sampler& sampler_of(const SampleOptions& options);
+
+/// Throws Error(invalid_argument) naming the first option outside its range.
+void require_valid(const SampleOptions& options);
 
 /// The number of primitives a rate stands for: round(rate * count), at least 1 of any.
 /// Throws Error(invalid_argument) unless 0 < rate <= 1.

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "coppice/builders/build_options.h"
 #include "coppice/builders/build_report.h"
+#include "coppice/builders/kd_options.h"
 #include "coppice/query/point_search.h"
 
 #include <cstddef>
@@ -16,7 +16,7 @@ class PointScene {
 public:
     /// What searches are fastest with: the thesis's tree of points as it is after the refill, from
     /// a sample of one in 32, split in the middle.
-    [[nodiscard]] static BuildOptions search_options();
+    [[nodiscard]] static KdOptions search_options();
 
     /// Takes over the points and builds their tree by search_options(). If that leaves many points
     /// together, because others are very far away, it is built once more with medians for planes.
@@ -24,7 +24,7 @@ public:
     explicit PointScene(std::vector<Vec3f> points);
 
     /// The same with one tree by other options.
-    PointScene(std::vector<Vec3f> points, const BuildOptions& options);
+    PointScene(std::vector<Vec3f> points, const KdOptions& options);
 
     /// The point nearest to a place, if one is within `max_distance`; see PointSearch, also for the
     /// three below.

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "coppice/builders/build_control.h"
-#include "coppice/builders/build_options.h"
 #include "coppice/builders/build_report.h"
+#include "coppice/builders/bvh8_options.h"
 #include "coppice/geom/ray.h"
 #include "coppice/geom/triangle_mesh.h"
 #include "coppice/query/mesh_search.h"
@@ -22,7 +22,7 @@ namespace coppice::inline v0 {
 class Scene {
 public:
     /// Takes over the mesh and builds its tree. Throws Error like build_bvh8().
-    explicit Scene(TriangleMesh mesh, const BuildOptions& options = {},
+    explicit Scene(TriangleMesh mesh, const Bvh8Options& options = {},
                    const BuildControl& control = {});
 
     /// The closest hit, or nothing.

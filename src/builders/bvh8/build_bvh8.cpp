@@ -1,11 +1,9 @@
 #include "coppice/base/error.h"
-#include "coppice/base/memory_meter.h"
 #include "coppice/builders/build_on_sample.h"
 #include "coppice/builders/build_tree.h"
 #include "coppice/builders/draw_sample.h"
 #include "coppice/builders/empty_leaves.h"
 #include "coppice/builders/estimate.h"
-#include "coppice/cost/measure.h"
 
 #include "base/out_of_memory.h"
 #include "builders/bvh8/grow_bvh8.h"
@@ -14,7 +12,6 @@
 #include "builders/kernels/bvh8_kernels.h"
 #include "builders/require_usable.h"
 #include "builders/run_build.h"
-#include "builders/stage_clock.h"
 
 #include <fmt/format.h>
 
@@ -26,14 +23,25 @@ namespace {
 
 using bvh8::PrimRef;
 
-// What all stages of a build share.
-struct Run {
-    StageClock clock;
-    MemoryMeter meter;
-    const bvh8::Kernels& kernels;
-    BuildReport& report;
-    Progress* progress;
+// The stages' shares of the time, for the progress: of a scanned mesh.
+struct Shares {
+    double sample;
+    double build;
+    double refill;
+    double grow;
+    double assemble = 0.06;
+    double measure = 0.05;
 };
+
+Shares shares_of(const bvh8::Plan& plan) {
+    constexpr Shares by_centroids{.sample = 0.2, .build = 0.01, .refill = 0.07, .grow = 0.6};
+    if (!plan.by_planes) return by_centroids;
+    return {.sample = 0.13, .build = 0.5 * plan.sampling.rate, .refill = 0.27, .grow = 0.46};
+}
+
+std::size_t sampled_count(const Sample& sample) {
+    return sample.ids.size();
+}
 
 bvh8::ObjectTop build_top(std::span<const PrimRef> prim_refs, const Sample& sample,
                           std::uint32_t cell_size, const bvh8::Kernels& kernels) {
@@ -47,94 +55,124 @@ bvh8::ObjectTop build_top(std::span<const PrimRef> prim_refs, const Sample& samp
     return bvh8::build_object_top(sampled, static_cast<float>(cell_size), kernels);
 }
 
-// Cells by centroids; without a sample one cell of everything.
-bvh8::Cells make_object_cells(TriangleMeshView mesh, const bvh8::Plan& plan, Run& run) {
-    const auto room = static_cast<std::uint32_t>(plan.room * mesh.size());
-    bvh8::DoubleBuffer buffers(room, run.meter);
-    bvh8::Cells cells{{}, std::move(buffers), {}};
-    const std::span<PrimRef> prim_refs = cells.buffers.first().first(mesh.size());
-    begin_stage(run.progress, 0.2);
-    bvh8::make_prim_refs(mesh, prim_refs);
-    const std::uint32_t count = mesh.size();
-    run.report.sample_count = sample_count(count, plan.sampling.rate);
-    if (run.report.sample_count == count) {
-        run.report.stages.sample = run.clock.lap(count);
-        cells.ranges.push_back(
-            {.begin = 0, .end = count, .buffer = 0, .spare_above = room - count});
+// The pipeline's stages, one after another.
+class Bvh8Pipeline {
+public:
+    Bvh8Pipeline(TriangleMeshView mesh, const bvh8::Plan& plan, BuildRun& run)
+        : mesh_(mesh),
+          plan_(plan),
+          run_(run),
+          context_(run.context()),
+          report_(run.report()),
+          stages_(run.report().stages),
+          kernels_(bvh8::kernels_for(choose_isa())),
+          shares_(shares_of(plan)) {}
+
+    [[nodiscard]] Bvh8 run() && {
+        bvh8::Cells cells = plan_.by_planes ? make_kd_cells() : make_object_cells();
+        return grow(std::move(cells));
+    }
+
+private:
+    // Cells by centroids; without a sample one cell of everything.
+    bvh8::Cells make_object_cells() {
+        const std::uint32_t count = mesh_.size();
+        const auto room = static_cast<std::uint32_t>(plan_.room * count);
+        bvh8::DoubleBuffer buffers(room, *context_.memory);
+        bvh8::Cells cells{{}, std::move(buffers), {}};
+        const std::span<PrimRef> prim_refs = cells.buffers.first().first(count);
+        report_.sample_count = sample_count(count, plan_.sampling.rate);
+        const bool is_whole = report_.sample_count == count;
+        const auto draw = [&] {
+            bvh8::make_prim_refs(mesh_, prim_refs);
+            return is_whole ? Sample{} : draw_sample(bvh8::PrimRefSet(prim_refs), plan_.sampling);
+        };
+        const Sample sample =
+            run_.stage(stages_.sample, shares_.sample, draw,
+                       [&](const Sample& drawn) { return is_whole ? count : drawn.ids.size(); });
+        if (is_whole) {
+            cells.ranges.push_back(
+                {.begin = 0, .end = count, .buffer = 0, .spare_above = room - count});
+            return cells;
+        }
+        report_.sample_count = static_cast<std::uint32_t>(sample.ids.size());
+        const auto build = [&] { return build_top(prim_refs, sample, plan_.cell_size, kernels_); };
+        bvh8::ObjectTop top =
+            run_.stage(stages_.build, shares_.build, build,
+                       [](const bvh8::ObjectTop& built) { return built.tree.nodes().size(); });
+        const auto fill = [&] { return bvh8::fill_cells(top, prim_refs, cells.buffers.second()); };
+        cells.ranges = run_.stage(stages_.refill, shares_.refill, fill,
+                                  [&](const auto& /*ranges*/) { return count; });
+        cells.top = std::move(top.tree);
         return cells;
     }
-    const Sample sample = draw_sample(bvh8::PrimRefSet(prim_refs), plan.sampling);
-    run.report.sample_count = static_cast<std::uint32_t>(sample.ids.size());
-    run.report.stages.sample = run.clock.lap(sample.ids.size());
-    begin_stage(run.progress, 0.01);
-    bvh8::ObjectTop top = build_top(prim_refs, sample, plan.cell_size, run.kernels);
-    run.report.stages.build = run.clock.lap(top.tree.nodes().size());
-    begin_stage(run.progress, 0.07);
-    cells.ranges = bvh8::fill_cells(top, prim_refs, cells.buffers.second());
-    cells.top = std::move(top.tree);
-    run.report.stages.refill = run.clock.lap(count);
-    return cells;
-}
 
-// Cells by planes: the first stages of a k-d tree.
-bvh8::Cells make_kd_cells(TriangleMeshView mesh, const bvh8::Plan& plan, Run& run) {
-    begin_stage(run.progress, 0.13);
-    require_usable(mesh);
-    const BuildOptions options{.sample = plan.sampling,
-                               .split = {.rule = "binned",
-                                         .max_leaf = plan.cell_size,
-                                         .bad_refines = 1,
-                                         .sample_weighting = SampleWeighting::expected},
-                               .leaf_refinement = LeafRefinement::none,
-                               .cost = {.empty_bonus = 0.0}};
-    const Sample sample = draw_sample(mesh, plan.sampling);
-    run.report.sample_count = static_cast<std::uint32_t>(sample.ids.size());
-    run.report.stages.sample = run.clock.lap(sample.ids.size());
-    begin_stage(run.progress, 0.5 * plan.sampling.rate);
-    KdTree sampled = build_on_sample(mesh, sample, options, &run.meter, run.progress);
-    run.report.stages.build = run.clock.lap(sampled.nodes().size());
-    begin_stage(run.progress, 0.27);
-    const Skeleton skeleton = empty_leaves(std::move(sampled));
-    run.report.stages.empty = run.clock.lap(skeleton.nodes().size());
-    bvh8::Cells cells = bvh8::make_cells(skeleton, mesh, run.meter);
-    run.report.stages.refill = run.clock.lap(cells.ranges.empty() ? 0 : cells.ranges.back().end);
-    return cells;
-}
+    // Cells by planes: the first stages of a k-d tree.
+    bvh8::Cells make_kd_cells() {
+        const KdOptions options{.sample = plan_.sampling,
+                                .split = {.rule = "binned",
+                                          .max_leaf = plan_.cell_size,
+                                          .bad_refines = 1,
+                                          .sample_weighting = SampleWeighting::expected},
+                                .leaf_refinement = LeafRefinement::none,
+                                .cost = {.empty_bonus = 0.0}};
+        const auto draw = [&] {
+            require_usable(mesh_);
+            return draw_sample(mesh_, plan_.sampling);
+        };
+        const Sample sample = run_.stage(stages_.sample, shares_.sample, draw, sampled_count);
+        report_.sample_count = static_cast<std::uint32_t>(sample.ids.size());
+        const auto build = [&] { return build_on_sample(mesh_, sample, options, context_); };
+        KdTree sampled = run_.stage(stages_.build, shares_.build, build,
+                                    [](const KdTree& tree) { return tree.nodes().size(); });
+        const auto empty = [&] { return empty_leaves(std::move(sampled)); };
+        const Skeleton skeleton =
+            run_.stage(stages_.empty, 0.0, empty,
+                       [](const Skeleton& emptied) { return emptied.nodes().size(); });
+        const auto fill = [&] { return bvh8::make_cells(skeleton, mesh_, *context_.memory); };
+        return run_.stage(stages_.refill, shares_.refill, fill, [](const bvh8::Cells& cells) {
+            return cells.ranges.empty() ? 0U : cells.ranges.back().end;
+        });
+    }
 
-Bvh8 run_pipeline(TriangleMeshView mesh, const BuildOptions& options, BuildReport& report,
-                  Progress* progress) {
-    Run run{{}, {}, bvh8::kernels_for(choose_isa()), report, progress};
-    const bvh8::Plan plan = bvh8::make_plan(options, mesh.size());
-    report.preset = plan.preset;
-    report.options.sample = plan.sampling;
-    bvh8::Cells cells =
-        plan.by_planes ? make_kd_cells(mesh, plan, run) : make_object_cells(mesh, plan, run);
-    begin_stage(progress, plan.by_planes ? 0.46 : 0.6);
-    bvh8::measure_cells(cells, run.kernels);
-    bvh8::GrownTree grown = bvh8::grow_bvh8(cells, mesh, run.kernels, progress);
-    const MeteredBytes part_bytes(&run.meter, byte_count(grown.root));
-    begin_stage(progress, 0.06);
-    Bvh8 tree =
-        bvh8::assemble(std::move(grown), std::move(cells.buffers), mesh, run.kernels, run.meter);
-    report.stages.refine = run.clock.lap(tree.blocks().size());
-    report.peak_bytes = run.meter.peak_bytes();
-    return tree;
-}
+    // The tree below the cells and above them.
+    Bvh8 grow(bvh8::Cells&& cells) {
+        const auto work = [&] {
+            bvh8::measure_cells(cells, kernels_);
+            bvh8::GrownTree grown = bvh8::grow_bvh8(cells, mesh_, kernels_, context_.progress);
+            const MeteredBytes part_bytes(context_.memory, byte_count(grown.root));
+            run_.begin(shares_.assemble);
+            return bvh8::assemble(std::move(grown), std::move(cells.buffers), mesh_, kernels_,
+                                  *context_.memory);
+        };
+        return run_.stage(stages_.refine, shares_.grow, work,
+                          [](const Bvh8& tree) { return tree.blocks().size(); });
+    }
+
+    TriangleMeshView mesh_;
+    const bvh8::Plan& plan_;
+    BuildRun& run_;
+    BuildContext context_;
+    BuildReport& report_;
+    StageReports& stages_;
+    const bvh8::Kernels& kernels_;
+    Shares shares_;
+};
 
 // The options to build by under a memory limit: those given, or, where the preset is left to us,
 // the smallest preset. Tells the report what it estimated and why it chose so.
-BuildOptions keep_within_limit(TriangleMeshView mesh, const BuildOptions& options,
-                               const BuildControl& control, BuildReport& report) {
+Bvh8Options keep_within_limit(TriangleMeshView mesh, const Bvh8Options& options,
+                              const BuildControl& control, BuildReport& report) {
     if (control.memory_limit_bytes == 0) return options;
     report.estimate = estimate_bvh8(mesh, options, control.stop);
     if (is_within_limit(*report.estimate, control)) return options;
     const bvh8::Plan plan = bvh8::make_plan(options, mesh.size());
     const std::string excess = excess_text(name_of(plan.preset), *report.estimate, control);
-    if (options.bvh8.preset != Bvh8Preset::automatic || plan.preset == Bvh8Preset::fast) {
+    if (options.preset != Bvh8Preset::automatic || plan.preset == Bvh8Preset::fast) {
         throw Error(ErrorCode::limit, excess);
     }
-    BuildOptions smaller = options;
-    smaller.bvh8.expected_rays = 0.0;  // chooses fast
+    Bvh8Options smaller = options;
+    smaller.expected_rays = 0.0;  // chooses fast
     report.estimate = estimate_bvh8(mesh, smaller, control.stop);
     if (!is_within_limit(*report.estimate, control)) {
         throw Error(ErrorCode::limit, excess_text("even fast", *report.estimate, control));
@@ -151,31 +189,24 @@ void require_few_enough(TriangleMeshView mesh) {
                 fmt::format("{} triangles; an 8-wide tree can hold at most {}", mesh.size(), most));
 }
 
-Bvh8 build(TriangleMeshView mesh, const BuildOptions& options, BuildReport* report,
-           const BuildControl& control) {
+Bvh8Build build(TriangleMeshView mesh, const Bvh8Options& options, const BuildControl& control) {
     require_few_enough(mesh);
-    BuildReport own_report;
-    own_report.options = options;
-    own_report.primitive_count = mesh.size();
-    const BuildOptions within_limit = keep_within_limit(mesh, options, control, own_report);
-    Bvh8 tree;
-    run_build(within_limit, control, [&](Progress* progress) {
-        tree = run_pipeline(mesh, within_limit, own_report, progress);
-        if (report == nullptr) return;
-        begin_stage(progress, 0.05);
-        own_report.tree_bytes = tree.byte_count();
-        own_report.peak_bytes = std::max(own_report.peak_bytes, own_report.tree_bytes);
-        own_report.statistics = measure(tree, options.cost);
-    });
-    if (report != nullptr) *report = std::move(own_report);
-    return tree;
+    require_valid(options);
+    Bvh8Build build{{}, begin_report(options, mesh.size())};
+    const Bvh8Options within_limit = keep_within_limit(mesh, options, control, build.report);
+    const bvh8::Plan plan = bvh8::make_plan(within_limit, mesh.size());
+    build.report.preset = plan.preset;
+    build.report.sample = plan.sampling;
+    build.tree = run_build(options, control, build.report, shares_of(plan).measure,
+                           [&](BuildRun& run) { return Bvh8Pipeline(mesh, plan, run).run(); });
+    return build;
 }
 
 }  // namespace
 
-Bvh8 build_bvh8(TriangleMeshView mesh, const BuildOptions& options, BuildReport* report,
-                const BuildControl& control) {
-    return with_memory_errors("the build", [&] { return build(mesh, options, report, control); });
+Bvh8Build build_bvh8(TriangleMeshView mesh, const Bvh8Options& options,
+                     const BuildControl& control) {
+    return with_memory_errors("the build", [&] { return build(mesh, options, control); });
 }
 
 }  // namespace coppice::inline v0

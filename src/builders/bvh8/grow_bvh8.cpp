@@ -11,6 +11,7 @@
 #include "coppice/base/parallel.h"
 
 #include "builders/bvh8/spatial_splitter.h"
+#include "builders/work_share.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,22 +71,17 @@ struct Item {
 class Grower {
 public:
     Grower(const TopTree& top, std::span<const Range> cells, const Splitter& splitter,
-           const SpatialSplitter& spatial, std::span<std::uint32_t> ids, Progress* progress)
-        : top_(top),
-          splitter_(splitter),
-          spatial_(spatial),
-          ids_(ids),
-          ranges_(top.nodes().size()),
-          progress_(progress) {
+           const SpatialSplitter& spatial, std::span<std::uint32_t> ids)
+        : top_(top), splitter_(splitter), spatial_(spatial), ids_(ids), ranges_(top.nodes().size()) {
         for (std::size_t node = top.nodes().size(); node-- > 0;) {
             ranges_[node] = range_of(top.nodes()[node], cells);
         }
     }
 
-    [[nodiscard]] GrownTree grow() && {
+    [[nodiscard]] GrownTree grow(WorkShare work) && {
         GrownTree grown;
         grown.bounds = to_aabb(ranges_[0].box);
-        grow_node(grown.root, make_item(0), 0, progress_ != nullptr ? 1.0 : 0.0);
+        grow_node(grown.root, make_item(0), 0, work);
         return grown;
     }
 
@@ -193,8 +189,7 @@ private:
         return Bvh8Child::make_leaf(first, count);
     }
 
-    // `share`: of the stage's work, if anybody asks.
-    std::uint32_t grow_node(Part& part, const Item& item, int depth, double share = 0.0) {
+    std::uint32_t grow_node(Part& part, const Item& item, int depth, WorkShare work = {}) {
         const auto index = static_cast<std::uint32_t>(part.nodes.size());
         part.nodes.push_back(make_empty_bvh8_node());
         const Children children = open_all(item, depth);
@@ -212,16 +207,13 @@ private:
                 part.nodes[index].child[slot] = Bvh8Child::make_inner(node);
             }
         }
-        double share_per_work = 0.0;
-        if (share > 0.0) {
-            double work_of_tasks = 0.0;
-            for (const auto& [slot, child] : tasks) {
-                work_of_tasks += work_of(child->range.size());
-            }
-            share_per_work = share / std::max(work_of(item.range.size()), work_of_tasks);
-            progress_->add(share - share_per_work * work_of_tasks);
+        double of_tasks = 0.0;
+        for (const auto& [slot, child] : tasks) {
+            of_tasks += work_of(child->range.size());
         }
-        if (!tasks.empty()) grow_parts(part, index, tasks, depth + 1, share_per_work);
+        const double all = std::max(work_of(item.range.size()), of_tasks);
+        work.part(1.0 - of_tasks / all).done();
+        if (!tasks.empty()) grow_parts(part, index, tasks, depth + 1, work.part(of_tasks / all));
         return index;
     }
 
@@ -233,12 +225,14 @@ private:
     // Large children at the same time, the largest first.
     void grow_parts(Part& part, std::uint32_t node,
                     std::vector<std::pair<std::size_t, const Item*>>& tasks, int depth,
-                    double share_per_work) {
+                    WorkShare work) {
         std::stable_sort(tasks.begin(), tasks.end(), [](const auto& a, const auto& b) {
             return a.second->range.size() > b.second->range.size();
         });
         const std::size_t first = part.links.size();
+        double all = 0.0;
         for (const auto& [slot, item] : tasks) {
+            all += work_of(item->range.size());
             part.links.push_back(
                 {node, static_cast<std::uint32_t>(slot), std::make_unique<Part>()});
         }
@@ -246,7 +240,7 @@ private:
             throw_if_cancelled();
             const Item& item = *tasks[task].second;
             grow_node(*part.links[first + task].part, item, depth,
-                      share_per_work * work_of(item.range.size()));
+                      work.part(work_of(item.range.size()) / all));
         });
     }
 
@@ -255,7 +249,6 @@ private:
     const SpatialSplitter& spatial_;
     std::span<std::uint32_t> ids_;
     std::vector<Range> ranges_;  // of the top's nodes
-    Progress* progress_;
 };
 
 }  // namespace
@@ -280,7 +273,8 @@ GrownTree grow_bvh8(const Cells& cells, TriangleMeshView mesh, const Kernels& ke
     const Splitter splitter(cells.buffers.first(), cells.buffers.second(), costs, kernels);
     const SpatialSplitter spatial(cells.buffers.first(), cells.buffers.second(), mesh, bounds,
                                   kernels);
-    return Grower(cells.top, cells.ranges, splitter, spatial, cells.buffers.ids(), progress).grow();
+    return Grower(cells.top, cells.ranges, splitter, spatial, cells.buffers.ids())
+        .grow(WorkShare(progress));
 }
 
 }  // namespace coppice::inline v0::bvh8

@@ -2,6 +2,7 @@
 
 #include "coppice/base/parallel.h"
 
+#include "builders/chunk_sizes.h"
 #include "builders/require_usable.h"
 
 #include <algorithm>
@@ -29,23 +30,23 @@ float finite_or_nan(const Triangle& triangle) {
 }  // namespace
 
 void make_prim_refs(TriangleMeshView mesh, std::span<PrimRef> prim_refs) {
-    constexpr std::size_t chunk_size = 16384;
     std::atomic<bool> are_usable = true;
-    parallel_for_chunks(prim_refs.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
-        const auto last = static_cast<std::uint32_t>(end);
-        if (mesh.first_invalid(static_cast<std::uint32_t>(begin), last) != last) {
-            are_usable = false;
-            return;
-        }
-        float test = 0.0F;
-        for (std::size_t at = begin; at < end; ++at) {
-            const auto id = static_cast<std::uint32_t>(at);
-            const Triangle triangle = mesh.triangle(id);
-            prim_refs[at] = make_prim_ref(bounds_of_corners(triangle), id);
-            test += finite_or_nan(triangle);
-        }
-        if (std::isnan(test)) are_usable = false;
-    });
+    parallel_for_chunks(
+        prim_refs.size(), primitives_per_task, [&](std::size_t begin, std::size_t end) {
+            const auto last = static_cast<std::uint32_t>(end);
+            if (mesh.first_invalid(static_cast<std::uint32_t>(begin), last) != last) {
+                are_usable = false;
+                return;
+            }
+            float test = 0.0F;
+            for (std::size_t at = begin; at < end; ++at) {
+                const auto id = static_cast<std::uint32_t>(at);
+                const Triangle triangle = mesh.triangle(id);
+                prim_refs[at] = make_prim_ref(bounds_of_corners(triangle), id);
+                test += finite_or_nan(triangle);
+            }
+            if (std::isnan(test)) are_usable = false;
+        });
     if (!are_usable) require_usable(mesh);  // names the first
 }
 

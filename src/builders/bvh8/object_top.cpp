@@ -8,6 +8,7 @@
 #include "coppice/base/parallel.h"
 
 #include "builders/bvh8/cells.h"
+#include "builders/chunk_sizes.h"
 
 #include <algorithm>
 #include <array>
@@ -174,7 +175,7 @@ ObjectTop build_object_top(std::span<PrimRef> sample, float cell_size, const Ker
 std::vector<Range> fill_cells(const ObjectTop& top, std::span<PrimRef> from,
                               std::span<PrimRef> to) {
     // Chunks depend on the sizes alone; as many as keep two threads busy and their counts small.
-    const std::size_t chunk_size = std::max<std::size_t>(16384, from.size() / 64);
+    const std::size_t chunk_size = std::max(primitives_per_task, from.size() / 64);
     const std::size_t chunk_count = (from.size() + chunk_size - 1) / chunk_size;
     const std::size_t cell_count = top.tree.cell_count();
     std::vector<std::uint32_t> places(chunk_count * cell_count);  // [chunk][cell]

@@ -21,13 +21,13 @@ Bvh8Preset choose_preset(const Bvh8Options& options, std::uint32_t triangle_coun
 
 }  // namespace
 
-Plan make_plan(const BuildOptions& options, std::uint32_t triangle_count) {
-    const Bvh8Preset preset = choose_preset(options.bvh8, triangle_count);
+Plan make_plan(const Bvh8Options& options, std::uint32_t triangle_count) {
+    const Bvh8Preset preset = choose_preset(options, triangle_count);
     Plan plan{preset, false, 4096, 1.0, options.sample};
-    const bool is_automatic = options.bvh8.preset == Bvh8Preset::automatic;
+    const bool is_automatic = options.preset == Bvh8Preset::automatic;
     if (is_automatic && preset != Bvh8Preset::quality && plan.sampling.rate == 1.0) {
         plan.sampling.rate = 0.01;
-        plan.sampling.sampler = "weighted";
+        plan.sampling.sampler = preset_sampler;
     }
     switch (preset) {
         case Bvh8Preset::automatic:
@@ -42,18 +42,18 @@ Plan make_plan(const BuildOptions& options, std::uint32_t triangle_count) {
             plan.cell_size = 16384;
             break;
     }
-    if (options.bvh8.cell_size != 0) plan.cell_size = options.bvh8.cell_size;
-    if (triangle_count < options.bvh8.sampled_from) plan.sampling.rate = 1.0;
+    if (options.cell_size != 0) plan.cell_size = options.cell_size;
+    if (triangle_count < options.sampled_from) plan.sampling.rate = 1.0;
     return plan;
 }
 
-BuildOptions scaled_down(const BuildOptions& options, std::uint32_t triangle_count, double share) {
+Bvh8Options scaled_down(const Bvh8Options& options, std::uint32_t triangle_count, double share) {
     const Plan plan = make_plan(options, triangle_count);
-    BuildOptions scaled = options;
+    Bvh8Options scaled = options;
     scaled.sample = plan.sampling;
-    scaled.bvh8.preset = choose_preset(options.bvh8, triangle_count);
-    scaled.bvh8.sampled_from = 0;
-    scaled.bvh8.cell_size = std::max(64U, static_cast<std::uint32_t>(share * plan.cell_size));
+    scaled.preset = choose_preset(options, triangle_count);
+    scaled.sampled_from = 0;
+    scaled.cell_size = std::max(64U, static_cast<std::uint32_t>(share * plan.cell_size));
     return scaled;
 }
 

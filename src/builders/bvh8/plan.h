@@ -1,10 +1,14 @@
 #pragma once
 
-#include "coppice/builders/build_options.h"
+#include "coppice/builders/bvh8_options.h"
 
 #include <cstdint>
+#include <string_view>
 
 namespace coppice::inline v0::bvh8 {
+
+/// By which sampler presets draw samples of their own.
+inline constexpr std::string_view preset_sampler = "weighted";
 
 /// What the options come to for a scene of a certain size.
 struct Plan {
@@ -16,10 +20,10 @@ struct Plan {
 };
 
 /// The plan for a scene of so many triangles.
-[[nodiscard]] Plan make_plan(const BuildOptions& options, std::uint32_t triangle_count);
+[[nodiscard]] Plan make_plan(const Bvh8Options& options, std::uint32_t triangle_count);
 
 /// Options whose plan for a share of a scene is that for the whole, in small.
-[[nodiscard]] BuildOptions scaled_down(const BuildOptions& options, std::uint32_t triangle_count,
-                                       double share);
+[[nodiscard]] Bvh8Options scaled_down(const Bvh8Options& options, std::uint32_t triangle_count,
+                                      double share);
 
 }  // namespace coppice::inline v0::bvh8

@@ -1,5 +1,4 @@
 #include "coppice/base/error.h"
-#include "coppice/base/memory_meter.h"
 #include "coppice/builders/build_on_sample.h"
 #include "coppice/builders/build_tree.h"
 #include "coppice/builders/draw_sample.h"
@@ -7,12 +6,10 @@
 #include "coppice/builders/estimate.h"
 #include "coppice/builders/refill.h"
 #include "coppice/builders/refine.h"
-#include "coppice/cost/measure.h"
 
 #include "base/out_of_memory.h"
 #include "builders/require_usable.h"
 #include "builders/run_build.h"
-#include "builders/stage_clock.h"
 
 #include <utility>
 
@@ -21,24 +18,29 @@ namespace {
 
 // A tree of all primitives that was built until no split pays has nothing to gain from the later
 // stages: refilling gives back its leaves, and growing finds no split.
-bool is_complete(const Sample& sample, PrimitiveSetView primitives, const BuildOptions& options) {
+bool is_complete(const Sample& sample, PrimitiveSetView primitives, const KdOptions& options) {
     return sample.ids.size() == primitives.size() && options.split.termination == Termination::sah;
 }
 
-// The stages' shares of the time, for Progress: for a scanned mesh, by the options alone.
+// The stages' shares of the time, for the progress: for a scanned mesh, by the options alone.
 struct Shares {
     double sample = 0.03;
     double build = 0.0;
+    double empty = 0.0;  // takes no time to speak of
     double refill = 0.0;
     double refine = 0.0;
     double measure = 0.05;
 
-    explicit Shares(const BuildOptions& options) {
+    explicit Shares(const KdOptions& options) {
+        constexpr double refill_share = 0.1;
+        constexpr double refine_share = 1.0;
+        constexpr double refine_share_of_whole = 0.3;
         build = options.sample.rate;
         const bool is_whole = options.sample.rate == 1.0;
-        if (!is_whole || options.split.termination != Termination::sah) refill = 0.1;
-        if (options.leaf_refinement == LeafRefinement::kd && refill > 0.0)
-            refine = is_whole ? 0.3 : 1.0;
+        if (!is_whole || options.split.termination != Termination::sah) refill = refill_share;
+        if (options.leaf_refinement == LeafRefinement::kd && refill > 0.0) {
+            refine = is_whole ? refine_share_of_whole : refine_share;
+        }
         const double sum = sample + build + refill + refine + measure;
         for (double* share : {&sample, &build, &refill, &refine, &measure}) {
             *share /= sum;
@@ -46,70 +48,119 @@ struct Shares {
     }
 };
 
-KdTree run_pipeline(PrimitiveSetView primitives, const BuildOptions& options, BuildReport& report,
-                    Progress* progress) {
-    StageClock clock;
-    StageReports& stages = report.stages;
-    MemoryMeter meter;
-    const Shares shares(options);
-
-    begin_stage(progress, shares.sample);
-    require_usable(primitives);  // counted as the sample's time, so that nothing is left out
-    const Sample sample = draw_sample(primitives, options.sample);
-    const MeteredBytes sample_bytes(&meter, sample.ids);
-    stages.sample = clock.lap(sample.ids.size());
-    begin_stage(progress, shares.build);
-    KdTree sampled = build_on_sample(primitives, sample, options, &meter, progress);
-    MeteredBytes tree_bytes(&meter, sampled.byte_count());
-    stages.build = clock.lap(sampled.nodes().size());
-    report.sample_count = static_cast<std::uint32_t>(sample.ids.size());
-    report.peak_bytes = meter.peak_bytes();
-    if (is_complete(sample, primitives, options)) return sampled;
-    begin_stage(progress, shares.refill);
-    Skeleton skeleton = empty_leaves(std::move(sampled));
-    tree_bytes = {&meter, skeleton.nodes().size_bytes()};
-    stages.empty = clock.lap(skeleton.nodes().size());
-    KdTree refilled = refill(std::move(skeleton), primitives, options, &meter, progress);
-    tree_bytes = {&meter, refilled.byte_count()};
-    stages.refill = clock.lap(refilled.references().size());
-    begin_stage(progress, shares.refine);
-    KdTree tree = refine(std::move(refilled), primitives, options, &meter, progress);
-    tree_bytes = {&meter, tree.byte_count()};
-    stages.refine = clock.lap(tree.references().size());
-    report.peak_bytes = meter.peak_bytes();
-    return tree;
+std::size_t sampled_count(const Sample& sample) {
+    return sample.ids.size();
 }
 
-KdTree build(PrimitiveSetView primitives, const BuildOptions& options, BuildReport* report,
-             const BuildControl& control) {
-    BuildReport own_report;
-    own_report.options = options;
-    own_report.primitive_count = primitives.size();
-    if (control.memory_limit_bytes != 0) {
-        own_report.estimate = estimate_kd_tree(primitives, options, control.stop);
-        if (!is_within_limit(*own_report.estimate, control)) {
-            throw Error(ErrorCode::limit, excess_text("the build", *own_report.estimate, control));
-        }
+std::size_t node_count(const KdTree& tree) {
+    return tree.nodes().size();
+}
+
+std::size_t kept_count(const Skeleton& skeleton) {
+    return skeleton.nodes().size();
+}
+
+std::size_t reference_count(const KdTree& tree) {
+    return tree.references().size();
+}
+
+// The pipeline's stages, one after another, and the memory of what each leaves to the next.
+class KdPipeline {
+public:
+    KdPipeline(PrimitiveSetView primitives, const KdOptions& options, BuildRun& run)
+        : primitives_(primitives),
+          options_(options),
+          run_(run),
+          context_(run.context()),
+          stages_(run.report().stages),
+          shares_(options) {}
+
+    [[nodiscard]] KdTree run() && {
+        const Sample sample = draw();
+        KdTree sampled = build(sample);
+        if (is_complete(sample, primitives_, options_)) return sampled;
+        Skeleton skeleton = empty(std::move(sampled));
+        KdTree refilled = fill(std::move(skeleton));
+        return grow(std::move(refilled));
     }
-    KdTree tree;
-    run_build(options, control, [&](Progress* progress) {
-        tree = run_pipeline(primitives, options, own_report, progress);
-        if (report == nullptr) return;
-        begin_stage(progress, Shares(options).measure);
-        own_report.tree_bytes = tree.byte_count();
-        own_report.peak_bytes = std::max(own_report.peak_bytes, own_report.tree_bytes);
-        own_report.statistics = measure(tree, options.cost);
-    });
-    if (report != nullptr) *report = std::move(own_report);
-    return tree;
+
+private:
+    Sample draw() {
+        const auto work = [&] {
+            require_usable(primitives_);  // its time counts as the sample's: nothing is left out
+            return draw_sample(primitives_, options_.sample);
+        };
+        Sample sample = run_.stage(stages_.sample, shares_.sample, work, sampled_count);
+        run_.report().sample_count = static_cast<std::uint32_t>(sample.ids.size());
+        if (sample.ids.size() == primitives_.size()) run_.report().sample.rate = 1.0;
+        sample_bytes_ = {context_.memory, sample.ids};
+        return sample;
+    }
+
+    KdTree build(const Sample& sample) {
+        const auto work = [&] { return build_on_sample(primitives_, sample, options_, context_); };
+        return held(run_.stage(stages_.build, shares_.build, work, node_count));
+    }
+
+    Skeleton empty(KdTree&& sampled) {
+        const auto work = [&] { return empty_leaves(std::move(sampled)); };
+        Skeleton skeleton = run_.stage(stages_.empty, shares_.empty, work, kept_count);
+        tree_bytes_ = {context_.memory, skeleton.nodes().size_bytes()};
+        return skeleton;
+    }
+
+    KdTree fill(Skeleton&& skeleton) {
+        const auto work = [&] {
+            return refill(std::move(skeleton), primitives_, options_, context_);
+        };
+        return held(run_.stage(stages_.refill, shares_.refill, work, reference_count));
+    }
+
+    KdTree grow(KdTree&& refilled) {
+        const auto work = [&] {
+            return refine(std::move(refilled), primitives_, options_, context_);
+        };
+        return held(run_.stage(stages_.refine, shares_.refine, work, reference_count));
+    }
+
+    KdTree held(KdTree tree) {
+        tree_bytes_ = {context_.memory, tree.byte_count()};
+        return tree;
+    }
+
+    PrimitiveSetView primitives_;
+    const KdOptions& options_;
+    BuildRun& run_;
+    BuildContext context_;
+    StageReports& stages_;
+    Shares shares_;
+    MeteredBytes sample_bytes_;
+    MeteredBytes tree_bytes_;
+};
+
+void keep_within_limit(PrimitiveSetView primitives, const KdOptions& options,
+                       const BuildControl& control, BuildReport& report) {
+    if (control.memory_limit_bytes == 0) return;
+    report.estimate = estimate_kd_tree(primitives, options, control.stop);
+    if (is_within_limit(*report.estimate, control)) return;
+    throw Error(ErrorCode::limit, excess_text("the build", *report.estimate, control));
+}
+
+KdBuild build(PrimitiveSetView primitives, const KdOptions& options, const BuildControl& control) {
+    require_valid(options);
+    KdBuild build{{}, begin_report(options, primitives.size())};
+    keep_within_limit(primitives, options, control, build.report);
+    build.tree =
+        run_build(options, control, build.report, Shares(options).measure,
+                  [&](BuildRun& run) { return KdPipeline(primitives, options, run).run(); });
+    return build;
 }
 
 }  // namespace
 
-KdTree build_kd_tree(PrimitiveSetView primitives, const BuildOptions& options, BuildReport* report,
-                     const BuildControl& control) {
-    return with_memory_errors("the build",
-                              [&] { return build(primitives, options, report, control); });
+KdBuild build_kd_tree(PrimitiveSetView primitives, const KdOptions& options,
+                      const BuildControl& control) {
+    return with_memory_errors("the build", [&] { return build(primitives, options, control); });
 }
 
 }  // namespace coppice::inline v0

@@ -16,6 +16,7 @@
 #include "coppice/builders/refine.h"
 
 #include "base/free_memory.h"
+#include "builders/chunk_sizes.h"
 #include "builders/kd/kd_builder.h"
 #include "builders/kd/partition.h"
 #include "builders/kd/top_tree.h"
@@ -45,14 +46,13 @@ float begin_of(std::span<const PrimRef> prim_refs, Axis axis, PlanarSide from) {
 
 class Grower {
 public:
-    Grower(const KdTree& tree, PrimitiveSetView primitives, const BuildOptions& options,
-           MemoryMeter* meter, Progress* progress)
+    Grower(const KdTree& tree, PrimitiveSetView primitives, const KdOptions& options,
+           MemoryMeter* meter)
         : nodes_(tree.nodes()),
           references_below_(count_references(tree.nodes())),
           division_{primitives, options.split.clipping, meter},
           options_(options),
-          builder_(primitives, options, until_it_pays(options.split), meter, progress),
-          progress_(progress) {}
+          builder_(primitives, options, until_it_pays(options.split), meter) {}
 
     // A node of the old tree with all its PrimRefs.
     struct Node {
@@ -60,15 +60,15 @@ public:
         std::vector<PrimRef> prim_refs;
         Aabb box;
         int depth;
-        double share;  // as in NodeState
+        WorkShare work;
     };
 
     [[nodiscard]] TreePart grow(Node node) const {
         throw_if_cancelled();
         const KdNode& old = nodes_[node.index];
         if (old.is_leaf() || is_noise(node.prim_refs.size())) {
-            return builder_.build(std::move(node.prim_refs),
-                                  {.box = node.box, .depth = node.depth, .share = node.share});
+            return builder_.build(std::move(node.prim_refs), {.box = node.box, .depth = node.depth},
+                                  node.work);
         }
         if (is_falsely_empty(old.lower_child())) return revise(std::move(node), PlanarSide::below);
         if (is_falsely_empty(old.upper_child())) return revise(std::move(node), PlanarSide::above);
@@ -107,8 +107,10 @@ private:
 
     // True if a split saves at least a fifth of what the bonus for empty space promises.
     [[nodiscard]] bool keeps_its_promise(double cost, std::size_t prim_ref_count) const {
-        return cost < (1.0 - 0.2 * options_.cost.empty_bonus) *
-                          options_.cost.leaf_cost(static_cast<double>(prim_ref_count));
+        // What a custom model promises for empty space is not known.
+        const double bonus = options_.cost.custom ? 0.0 : options_.cost.empty_bonus;
+        return cost <
+               (1.0 - 0.2 * bonus) * options_.cost.leaf_cost(static_cast<double>(prim_ref_count));
     }
 
     // Decides anew about a plane whose child on `side` was empty in the sample only.
@@ -121,13 +123,13 @@ private:
         const double old_cost = evaluate_plane(query, old.plane()).cost;
         if (!PlaneEvaluator(node.box, plane.axis, options_.cost).is_inside(plane.position)) {
             if (keeps_its_promise(old_cost, node.prim_refs.size())) return split(std::move(node));
-            return grow({rest, std::move(node.prim_refs), node.box, node.depth, node.share});
+            return grow({rest, std::move(node.prim_refs), node.box, node.depth, node.work});
         }
         if (!(evaluate_plane(query, plane).cost < old_cost)) return split(std::move(node));
         const bool is_empty_below = side == PlanarSide::below;
         TreePart grown = grow({rest, std::move(node.prim_refs),
                                is_empty_below ? above(node.box, plane) : below(node.box, plane),
-                               node.depth + 1, node.share});
+                               node.depth + 1, node.work});
         return is_empty_below ? TreePart(plane, PlanarSide::above, TreePart(), std::move(grown))
                               : TreePart(plane, PlanarSide::below, std::move(grown), TreePart());
     }
@@ -143,26 +145,24 @@ private:
         free_memory(node.prim_refs);  // freed before the recursion, which needs the memory
         bytes.release();
         const int depth = node.depth + 1;
-        const NodeShares shares =
-            divide_share(node.share, prim_ref_count, sides.below.size(), sides.above.size());
-        if (shares.own > 0.0) progress_->add(shares.own);
+        const auto [work_below, work_above] =
+            node.work.divide(prim_ref_count, sides.below.size(), sides.above.size());
         return build_both(
             plane, old.planar_side(), prim_ref_count,
-            [&] {
-                return grow({old.lower_child(), sides.take_below(), below(node.box, plane), depth,
-                             shares.below});
+            [&, work = work_below] {
+                return grow(
+                    {old.lower_child(), sides.take_below(), below(node.box, plane), depth, work});
             },
-            [&] {
-                return grow({old.upper_child(), sides.take_above(), above(node.box, plane), depth,
-                             shares.above});
+            [&, work = work_above] {
+                return grow(
+                    {old.upper_child(), sides.take_above(), above(node.box, plane), depth, work});
             });
     }
 
     // The same, and on in this way down to where there is something to decide.
     [[nodiscard]] TreePart split_on(Node node) const {
-        constexpr int level_count = 10;
         const KdTopTree top_tree(
-            nodes_, {node.index, node.box, node.depth}, level_count,
+            nodes_, {node.index, node.box, node.depth}, levels_at_once,
             [&](std::uint32_t index) { return index != node.index && is_open(index); });
         auto of_cells = top_tree.distribute(std::move(node.prim_refs), division_);
         std::vector<MeteredBytes> bytes;
@@ -174,15 +174,15 @@ private:
         std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
             return of_cells[a].size() > of_cells[b].size();
         });
-        const double unit = node.share / count_of(of_cells);
+        const double count = count_of(of_cells);
         std::vector<TreePart> parts(of_cells.size());
         parallel_for_chunks(order.size(), 1, [&](std::size_t at, std::size_t /*end*/) {
             const std::size_t cell = order[at];
             const KdTopTree::Cell& root = top_tree.cells()[cell];
             bytes[cell].release();
-            const double share = unit * static_cast<double>(of_cells[cell].size());
-            parts[cell] =
-                grow({root.index, std::move(of_cells[cell]), root.box, root.depth, share});
+            const double part = static_cast<double>(of_cells[cell].size()) / count;
+            parts[cell] = grow({root.index, std::move(of_cells[cell]), root.box, root.depth,
+                                node.work.part(part)});
         });
         return joined(top_tree, 0, parts);
     }
@@ -208,19 +208,18 @@ private:
     std::span<const KdNode> nodes_;
     std::vector<std::uint64_t> references_below_;
     Division division_;
-    const BuildOptions& options_;
+    const KdOptions& options_;
     KdBuilder builder_;
-    Progress* progress_;
 };
 
 }  // namespace
 
-KdTree grow_kd(KdTree&& tree, PrimitiveSetView primitives, const BuildOptions& options,
-               MemoryMeter* meter, Progress* progress) {
-    const double share = progress != nullptr ? 1.0 : 0.0;
-    Subtree grown = assemble(Grower(tree, primitives, options, meter, progress)
-                                 .grow({0, whole_prim_refs(primitives), tree.bounds(), 0, share}),
-                             meter);
+KdTree grow_kd(KdTree&& tree, PrimitiveSetView primitives, const KdOptions& options,
+               const BuildContext& context) {
+    Subtree grown = assemble(
+        Grower(tree, primitives, options, context.memory)
+            .grow({0, whole_prim_refs(primitives), tree.bounds(), 0, WorkShare(context.progress)}),
+        context.memory);
     const Aabb box = tree.bounds();
     tree = KdTree{};
     return {std::move(grown.nodes), std::move(grown.references), box};

@@ -13,27 +13,26 @@ double ratio(std::size_t after, std::size_t before) noexcept {
     return static_cast<double>(after) / static_cast<double>(before);
 }
 
-// Where splits go on as long as they pay, the rule `binned` cuts the boxes and not the primitives
-// in nodes of at most so many PrimRefs: half of all clipping is there, and few splits would follow
-// that gain by it (docs/decisions/0004).
+// Where splits go on as long as they pay, rules that allow it have the boxes cut and not the
+// primitives in nodes of at most so many PrimRefs: half of all clipping is there, and few splits
+// would follow that gain by it (docs/decisions/0004).
 constexpr std::size_t boxes_cut_up_to = 12;
 
-Clipping clipping_in_small_nodes(const BuildOptions& options, const TerminationRule& stop) {
-    const bool is_quick =
-        options.split.rule == "binned" && stop.search == SplitSearch::until_it_pays;
+Clipping clipping_in_small_nodes(const KdOptions& options, const TerminationRule& stop) {
+    const bool is_quick = split_finder_of(options.split).allows_loose_small_nodes() &&
+                          stop.search == SplitSearch::until_it_pays;
     return is_quick ? Clipping::bounding_box : options.split.clipping;
 }
 
 }  // namespace
 
-KdBuilder::KdBuilder(PrimitiveSetView primitives, const BuildOptions& options,
-                     const TerminationRule& stop, MemoryMeter* meter, Progress* progress)
+KdBuilder::KdBuilder(PrimitiveSetView primitives, const KdOptions& options,
+                     const TerminationRule& stop, MemoryMeter* meter)
     : division_{primitives, options.split.clipping, meter},
       small_division_{primitives, clipping_in_small_nodes(options, stop), meter},
-      finder_(find_split_finder(options.split.rule)),
+      finder_(split_finder_of(options.split)),
       cost_(options.cost),
       stop_(stop),
-      progress_(progress),
       isa_(choose_isa()) {}
 
 // The split of a node, or nothing if it is to be a leaf; counts a bad refine on the node's path.
@@ -48,7 +47,7 @@ std::optional<SplitCandidate> KdBuilder::find_split(std::span<const PrimRef> pri
     return split;
 }
 
-TreePart KdBuilder::build(std::vector<PrimRef> prim_refs, NodeState node) const {
+TreePart KdBuilder::build(std::vector<PrimRef> prim_refs, NodeState node, WorkShare work) const {
     throw_if_cancelled();
     MeteredBytes bytes(division_.meter, prim_refs);
     if (prim_refs.size() < parallel_prim_ref_count) {
@@ -56,14 +55,14 @@ TreePart KdBuilder::build(std::vector<PrimRef> prim_refs, NodeState node) const 
         const std::size_t count = prim_refs.size();
         PrimRefStack stack(std::move(prim_refs));
         build_alone(tree, 0, stack, count, node);
-        if (node.share > 0.0) progress_->add(node.share);
+        work.done();
         return TreePart(std::move(tree), division_.meter);
     }
     const auto split = find_split(prim_refs, node);
     if (!split) {
         Subtree leaf;
         make_leaf(leaf, 0, prim_refs);
-        if (node.share > 0.0) progress_->add(node.share);
+        work.done();
         return TreePart(std::move(leaf), division_.meter);
     }
     const SplitPlane plane = split->plane;
@@ -72,14 +71,14 @@ TreePart KdBuilder::build(std::vector<PrimRef> prim_refs, NodeState node) const 
     free_memory(prim_refs);  // freed before the recursion, which needs the memory
     bytes.release();
     const double more = ratio(sides.below.size() + sides.above.size(), count);
-    const NodeShares shares =
-        divide_share(node.share, count, sides.below.size(), sides.above.size());
-    if (shares.own > 0.0) progress_->add(shares.own);
-    const NodeState lower = node.child(below(node.box, plane), more, shares.below);
-    const NodeState upper = node.child(above(node.box, plane), more, shares.above);
+    const auto [work_below, work_above] =
+        work.divide(count, sides.below.size(), sides.above.size());
+    const NodeState lower = node.child(below(node.box, plane), more);
+    const NodeState upper = node.child(above(node.box, plane), more);
     return build_both(
-        plane, split->planar_side, count, [&] { return build(sides.take_below(), lower); },
-        [&] { return build(sides.take_above(), upper); });
+        plane, split->planar_side, count,
+        [&, work = work_below] { return build(sides.take_below(), lower, work); },
+        [&, work = work_above] { return build(sides.take_above(), upper, work); });
 }
 
 // As build(), within one task: the node's PrimRefs are the topmost `count`, and are popped.

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "coppice/builders/build_options.h"
-#include "coppice/builders/progress.h"
+#include "coppice/builders/kd_options.h"
 #include "coppice/builders/split_finder.h"
 #include "coppice/geom/primitive_set.h"
 
@@ -9,6 +8,7 @@
 #include "builders/kd/prim_ref_stack.h"
 #include "builders/kd/termination_rule.h"
 #include "builders/kd/tree_part.h"
+#include "builders/work_share.h"
 
 #include <cstdint>
 #include <optional>
@@ -23,11 +23,12 @@ namespace coppice::inline v0 {
 class KdBuilder {
 public:
     /// Throws Error(invalid_argument) like choose_isa().
-    KdBuilder(PrimitiveSetView primitives, const BuildOptions& options, const TerminationRule& stop,
-              MemoryMeter* meter = nullptr, Progress* progress = nullptr);
+    KdBuilder(PrimitiveSetView primitives, const KdOptions& options, const TerminationRule& stop,
+              MemoryMeter* meter = nullptr);
 
-    /// The subtree of a node with these PrimRefs; `node.share` of the stage is done then.
-    [[nodiscard]] TreePart build(std::vector<PrimRef> prim_refs, NodeState node) const;
+    /// The subtree of a node with these PrimRefs; tells `work` what is done.
+    [[nodiscard]] TreePart build(std::vector<PrimRef> prim_refs, NodeState node,
+                                 WorkShare work = {}) const;
 
 private:
     [[nodiscard]] std::optional<SplitCandidate> find_split(std::span<const PrimRef> prim_refs,
@@ -40,7 +41,6 @@ private:
     const SplitFinder& finder_;
     SahCostModel cost_;
     TerminationRule stop_;
-    Progress* progress_;
     Isa isa_;
 };
 

@@ -9,6 +9,7 @@
 #include "coppice/base/parallel.h"
 
 #include "base/free_memory.h"
+#include "builders/chunk_sizes.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -88,15 +89,15 @@ PartitionOutput divide(std::span<const PrimRef> prim_refs, SplitPlane plane, Pla
 
 Partition partition(std::span<const PrimRef> prim_refs, SplitPlane plane, PlanarSide planar_side,
                     const Division& division) {
-    constexpr std::size_t chunk_size = 32768;
-    if (prim_refs.size() <= chunk_size) {
+    if (prim_refs.size() <= prim_refs_per_task) {
         return partition_alone(prim_refs, plane, planar_side, division);
     }
-    std::vector<Partition> chunks((prim_refs.size() + chunk_size - 1) / chunk_size);
-    parallel_for_chunks(prim_refs.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
-        chunks[begin / chunk_size] =
-            partition_alone(prim_refs.subspan(begin, end - begin), plane, planar_side, division);
-    });
+    std::vector<Partition> chunks((prim_refs.size() + prim_refs_per_task - 1) / prim_refs_per_task);
+    parallel_for_chunks(
+        prim_refs.size(), prim_refs_per_task, [&](std::size_t begin, std::size_t end) {
+            chunks[begin / prim_refs_per_task] = partition_alone(
+                prim_refs.subspan(begin, end - begin), plane, planar_side, division);
+        });
     Partition sides;
     sides.below = joined(chunks, &Partition::below);
     sides.below_bytes = {division.meter, sides.below};
@@ -109,25 +110,26 @@ Partition partition(std::span<const PrimRef> prim_refs, SplitPlane plane, Planar
 }
 
 std::vector<PrimRef> whole_prim_refs(PrimitiveSetView primitives) {
-    constexpr std::size_t chunk_size = 16384;
     std::vector<PrimRef> prim_refs(primitives.size());
-    parallel_for_chunks(prim_refs.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const auto id = static_cast<std::uint32_t>(i);
-            prim_refs[i] = {primitives.bounds(id), id};
-        }
-    });
+    parallel_for_chunks(prim_refs.size(), primitives_per_task,
+                        [&](std::size_t begin, std::size_t end) {
+                            for (std::size_t i = begin; i < end; ++i) {
+                                const auto id = static_cast<std::uint32_t>(i);
+                                prim_refs[i] = {primitives.bounds(id), id};
+                            }
+                        });
     return prim_refs;
 }
 
 Aabb bounds_of_all(PrimitiveSetView primitives) {
-    constexpr std::size_t chunk_size = 16384;
-    std::vector<Aabb> parts((primitives.size() + chunk_size - 1) / chunk_size);
-    parallel_for_chunks(primitives.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t id = begin; id < end; ++id) {
-            parts[begin / chunk_size].grow(primitives.bounds(static_cast<std::uint32_t>(id)));
-        }
-    });
+    std::vector<Aabb> parts((primitives.size() + primitives_per_task - 1) / primitives_per_task);
+    parallel_for_chunks(primitives.size(), primitives_per_task,
+                        [&](std::size_t begin, std::size_t end) {
+                            for (std::size_t id = begin; id < end; ++id) {
+                                parts[begin / primitives_per_task].grow(
+                                    primitives.bounds(static_cast<std::uint32_t>(id)));
+                            }
+                        });
     Aabb box;
     for (const Aabb& part : parts) {
         box.grow(part);

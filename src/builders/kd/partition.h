@@ -1,7 +1,7 @@
 #pragma once
 
 #include "coppice/base/memory_meter.h"
-#include "coppice/builders/build_options.h"
+#include "coppice/builders/kd_options.h"
 #include "coppice/builders/split_finder.h"
 #include "coppice/geom/primitive_set.h"
 

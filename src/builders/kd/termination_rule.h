@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coppice/builders/build_options.h"
+#include "coppice/builders/kd_options.h"
 #include "coppice/builders/split_finder.h"
 
 #include <cstdint>
@@ -20,12 +20,10 @@ struct NodeState {
     int depth = 0;
     int bad_refines_so_far = 0;
     double duplication = 1.0;  ///< how many a PrimRef has become on the path, on average
-    double share = 0.0;        ///< of the stage's work, for Progress; 0: nobody asks
 
     /// The state of a child with this box. `more`: the PrimRefs of both children over the node's.
-    [[nodiscard]] NodeState child(const Aabb& child_box, double more,
-                                  double child_share = 0.0) const noexcept {
-        return {child_box, depth + 1, bad_refines_so_far, duplication * more, child_share};
+    [[nodiscard]] NodeState child(const Aabb& child_box, double more) const noexcept {
+        return {child_box, depth + 1, bad_refines_so_far, duplication * more};
     }
 };
 
@@ -45,7 +43,8 @@ struct TerminationRule {
         if (node.box.surface_area() == 0.0) return true;
         if (search == SplitSearch::first_offer) return false;
         // No split costs less than passing a node.
-        return cost.leaf_cost(weight) <= cost.traversal || node.duplication > max_duplication;
+        return cost.leaf_cost(weight) <= cost.traversal_cost() ||
+               node.duplication > max_duplication;
     }
 
     /// The cost below which a rule need not look further.

@@ -8,6 +8,7 @@
 #include "coppice/base/parallel.h"
 
 #include "base/free_memory.h"
+#include "builders/chunk_sizes.h"
 
 #include <algorithm>
 #include <array>
@@ -127,7 +128,7 @@ KdTopTree::KdTopTree(std::span<const KdNode> tree, const Cell& root, int level_c
 std::vector<std::vector<PrimRef>> KdTopTree::distribute(std::vector<PrimRef> prim_refs,
                                                         const Division& division) const {
     // Chunks depend on the number of PrimRefs alone, and their lists take little room.
-    const std::size_t chunk_size = std::max<std::size_t>(16384, prim_refs.size() / 64 + 1);
+    const std::size_t chunk_size = std::max(primitives_per_task, prim_refs.size() / 64 + 1);
     MeteredBytes bytes(division.meter, prim_refs);
     std::vector<Sent> chunks((prim_refs.size() + chunk_size - 1) / chunk_size);
     parallel_for_chunks(prim_refs.size(), chunk_size, [&](std::size_t begin, std::size_t end) {

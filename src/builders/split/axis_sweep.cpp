@@ -1,6 +1,7 @@
 #include "builders/split/axis_sweep.h"
 
 #include "builders/split/axis_events.h"
+#include "builders/split/best_split.h"
 
 namespace coppice::inline v0 {
 
@@ -14,6 +15,14 @@ std::optional<SplitCandidate> sweep_axis(const SplitQuery& query, Axis axis) {
     BestSplit best;
     sweep_events(events, PlaneEvaluator(query.box, axis, query.cost),
                  {0.0, weight_of(query.prim_refs), 0.0}, best);
+    return best.get();
+}
+
+std::optional<SplitCandidate> sweep_all_axes(const SplitQuery& query) {
+    BestSplit best;
+    for (const Axis axis : all_axes) {
+        if (const auto split = sweep_axis(query, axis)) best.offer(*split);
+    }
     return best.get();
 }
 

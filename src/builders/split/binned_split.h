@@ -9,6 +9,8 @@ namespace coppice::inline v0 {
 class BinnedSplit final : public SplitFinder {
 public:
     [[nodiscard]] std::optional<SplitCandidate> find(const SplitQuery& query) const override;
+
+    [[nodiscard]] bool allows_loose_small_nodes() const noexcept override { return true; }
 };
 
 }  // namespace coppice::inline v0

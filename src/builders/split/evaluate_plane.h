@@ -24,7 +24,10 @@ public:
     /// The same with the inverse of the box's area known.
     PlaneEvaluator(const Aabb& box, Axis axis, const SahCostModel& cost,
                    double inverse_area) noexcept
-        : axis_(axis), lower_(box.lower[axis]), upper_(box.upper[axis]) {
+        : axis_(axis),
+          lower_(box.lower[axis]),
+          upper_(box.upper[axis]),
+          custom_(cost.custom.get()) {
         const double width = box.extent(next_axis(axis));
         const double height = box.extent(next_axis(next_axis(axis)));
         terms_ = {lower_,
@@ -64,13 +67,16 @@ public:
         return (position > lower_) & (position < upper_);  // mostly unpredictable: no branch
     }
 
-    /// What evaluate() computes with, for kernels.
+    /// What evaluate() computes with, for kernels; not where the cost model is a custom one.
     [[nodiscard]] const CostTerms& terms() const noexcept { return terms_; }
 
 private:
     // SahCostModel::split_cost(), bit for bit.
     [[nodiscard]] double cost_of(double p_below, double count_below, double p_above,
                                  double count_above) const noexcept {
+        if (custom_ != nullptr) {
+            return custom_->split_cost(p_below, count_below, p_above, count_above);
+        }
         const bool cuts_off_empty_space = count_below == 0.0 || count_above == 0.0;
         const double intersection =
             cuts_off_empty_space ? terms_.empty_intersection : terms_.intersection;
@@ -81,6 +87,7 @@ private:
     Axis axis_;
     float lower_;
     float upper_;
+    const CostModel* custom_;  // null: by the terms
     CostTerms terms_;
 };
 

@@ -5,18 +5,13 @@
 #include "builders/split/exact_split.h"
 
 #include "builders/split/axis_sweep.h"
-#include "builders/split/best_split.h"
 #include "builders/split/small_node.h"
 
 namespace coppice::inline v0 {
 
 std::optional<SplitCandidate> ExactSplit::find(const SplitQuery& query) const {
     if (query.prim_refs.size() <= small_node_size) return find_in_small_node(query);
-    BestSplit best;
-    for (const Axis axis : all_axes) {
-        if (const auto split = sweep_axis(query, axis)) best.offer(*split);
-    }
-    return best.get();
+    return sweep_all_axes(query);
 }
 
 }  // namespace coppice::inline v0

@@ -8,6 +8,8 @@ namespace coppice::inline v0 {
 class ExactSplit final : public SplitFinder {
 public:
     [[nodiscard]] std::optional<SplitCandidate> find(const SplitQuery& query) const override;
+
+    [[nodiscard]] bool finds_cheapest_end() const noexcept override { return true; }
 };
 
 }  // namespace coppice::inline v0

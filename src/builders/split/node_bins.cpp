@@ -2,6 +2,7 @@
 
 #include "coppice/base/parallel.h"
 
+#include "builders/chunk_sizes.h"
 #include "builders/kernels/kd_kernels.h"
 #include "builders/split/evaluate_plane.h"
 
@@ -24,16 +25,17 @@ std::optional<BinGrid> bin_grid(const Aabb& box) noexcept {
 
 NodeBins bin_node(std::span<const PrimRef> prim_refs, const BinGrid& grid, Isa isa) {
     const KdKernels& kernels = kd_kernels_for(isa);
-    constexpr std::size_t chunk_size = 32768;
     NodeBins sum;
-    if (prim_refs.size() <= chunk_size) {
+    if (prim_refs.size() <= prim_refs_per_task) {
         kernels.bin_ends(prim_refs, grid, sum);
         return sum;
     }
-    std::vector<NodeBins> chunks((prim_refs.size() + chunk_size - 1) / chunk_size);
-    parallel_for_chunks(prim_refs.size(), chunk_size, [&](std::size_t begin, std::size_t end) {
-        kernels.bin_ends(prim_refs.subspan(begin, end - begin), grid, chunks[begin / chunk_size]);
-    });
+    std::vector<NodeBins> chunks((prim_refs.size() + prim_refs_per_task - 1) / prim_refs_per_task);
+    parallel_for_chunks(prim_refs.size(), prim_refs_per_task,
+                        [&](std::size_t begin, std::size_t end) {
+                            kernels.bin_ends(prim_refs.subspan(begin, end - begin), grid,
+                                             chunks[begin / prim_refs_per_task]);
+                        });
     for (const NodeBins& chunk : chunks) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const AxisBins& from = chunk[axis];

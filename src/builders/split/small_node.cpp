@@ -5,6 +5,7 @@
 #include "builders/split/small_node.h"
 
 #include "builders/kernels/kd_kernels.h"
+#include "builders/split/axis_sweep.h"
 #include "builders/split/evaluate_plane.h"
 
 #include <array>
@@ -70,7 +71,8 @@ private:
 
 }  // namespace
 
-std::optional<SplitCandidate> find_in_small_node(const SplitQuery& query) noexcept {
+std::optional<SplitCandidate> find_in_small_node(const SplitQuery& query) {
+    if (query.cost.custom) return sweep_all_axes(query);  // the kernels have one formula
     const NodeEnds ends(query.prim_refs);
     const KdKernels& kernels = kd_kernels_for(query.isa);
     const double inverse_area = 1.0 / query.box.surface_area();

@@ -14,6 +14,6 @@ inline constexpr std::size_t small_node_size = small_node_capacity;
 
 /// The cheapest split of a small node at any PrimRef end on any axis; of equal ones the first by
 /// axis, then by position: what ExactSplit finds in any node.
-[[nodiscard]] std::optional<SplitCandidate> find_in_small_node(const SplitQuery& query) noexcept;
+[[nodiscard]] std::optional<SplitCandidate> find_in_small_node(const SplitQuery& query);
 
 }  // namespace coppice::inline v0

@@ -13,10 +13,8 @@ namespace coppice::test {
 namespace {
 
 double grown_cost(const TriangleMesh& mesh, double rate, std::uint64_t seed) {
-    BuildReport report;
-    const KdTree tree = build_kd_tree(
-        mesh.view(),
-        {.sample = {.rate = rate, .seed = seed}, .leaf_refinement = LeafRefinement::kd}, &report);
+    const auto [tree, report] = build_kd_tree(mesh.view(), {.sample = {.rate = rate, .seed = seed},
+                                                            .leaf_refinement = LeafRefinement::kd});
     EXPECT_TRUE(is_sound(tree, mesh.view()));
     return report.statistics.sah_cost;
 }

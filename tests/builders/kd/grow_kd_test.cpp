@@ -28,14 +28,14 @@ struct Stages {
     KdTree grown;
 };
 
-Stages grow(PrimitiveSetView primitives, const Sample& sample, const BuildOptions& options) {
+Stages grow(PrimitiveSetView primitives, const Sample& sample, const KdOptions& options) {
     KdTree refilled =
         refill(empty_leaves(build_on_sample(primitives, sample, options)), primitives, options);
     KdTree grown = grow_kd(KdTree(refilled), primitives, options);
     return {std::move(refilled), std::move(grown)};
 }
 
-Stages grow(PrimitiveSetView primitives, const BuildOptions& options) {
+Stages grow(PrimitiveSetView primitives, const KdOptions& options) {
     return grow(primitives, draw_sample(primitives, options.sample), options);
 }
 
@@ -60,7 +60,7 @@ class GrowKdScene : public testing::TestWithParam<SceneAndRule> {};
 TEST_P(GrowKdScene, KeepsAllPlanesAtRateOne) {
     const TriangleMesh mesh = std::get<NamedScene>(GetParam()).make();
     for (const std::uint32_t max_leaf : {4U, 32U}) {
-        const BuildOptions options{
+        const KdOptions options{
             .split = {.rule = std::get<std::string>(GetParam()), .max_leaf = max_leaf}};
         const auto [refilled, grown] = grow(mesh.view(), options);
         EXPECT_TRUE(keeps_planes(refilled, grown));
@@ -71,7 +71,7 @@ TEST_P(GrowKdScene, KeepsAllPlanesAtRateOne) {
 TEST_P(GrowKdScene, GoesOnUntilNoSplitPays) {
     const TriangleMesh mesh = std::get<NamedScene>(GetParam()).make();
     for (const double rate : {1.0, 0.3}) {
-        const BuildOptions options{
+        const KdOptions options{
             .sample = {.rate = rate},
             .split = {.rule = std::get<std::string>(GetParam()), .max_depth = 30}};
         const KdTree grown = grow(mesh.view(), options).grown;
@@ -93,8 +93,8 @@ TEST_P(GrowKdScene, DoesNotMakeTreesWorse) {
     const TriangleMesh mesh = std::get<NamedScene>(GetParam()).make();
     double full_cost = 0.0;
     for (const double rate : {1.0, 0.5, 0.1}) {
-        const BuildOptions options{.sample = {.rate = rate},
-                                   .split = {.rule = std::get<std::string>(GetParam())}};
+        const KdOptions options{.sample = {.rate = rate},
+                                .split = {.rule = std::get<std::string>(GetParam())}};
         const auto [refilled, grown] = grow(mesh.view(), options);
         const double refilled_cost = measure(refilled, options.cost).sah_cost;
         const double grown_cost = measure(grown, options.cost).sah_cost;
@@ -142,7 +142,7 @@ TEST(GrowKd, GrowsWhereTheSampleSawNothing) {
         boxes.push_back({{8, y, 0.4F}, {9, y + 0.01F, 0.5F}});
     }
     const BoxSet set(boxes);
-    const BuildOptions options{.sample = {.rate = 400.0 / 440.0}};
+    const KdOptions options{.sample = {.rate = 400.0 / 440.0}};
     const auto [refilled, grown] = grow(set, first_ids(400, options.sample.rate), options);
     EXPECT_TRUE(is_sound(grown, set));
     EXPECT_EQ(largest_leaf(refilled), 40U);
@@ -158,7 +158,7 @@ TEST(GrowKd, MovesAPlaneThatCutOffTooMuch) {
         boxes.push_back({{2, 0, 0}, {3, 1, 0.1F * static_cast<float>(i)}});
     }
     const BoxSet set(boxes);
-    const BuildOptions options{.sample = {.rate = 401.0 / 406.0}, .split = {.max_leaf = 1}};
+    const KdOptions options{.sample = {.rate = 401.0 / 406.0}, .split = {.max_leaf = 1}};
     const auto [refilled, grown] = grow(set, first_ids(401, options.sample.rate), options);
     EXPECT_TRUE(is_sound(grown, set));
     EXPECT_TRUE(is_in_order(grown));
@@ -174,7 +174,7 @@ TEST(GrowKd, MovesAPlaneThatCutOffTooMuch) {
 TEST(GrowKd, KeepsToTheDepthLimit) {
     const TriangleMesh mesh = make_soup(2000, 0.1F, 1);
     for (const int max_depth : {0, 3, 8}) {
-        const BuildOptions options{.sample = {.rate = 0.5}, .split = {.max_depth = max_depth}};
+        const KdOptions options{.sample = {.rate = 0.5}, .split = {.max_depth = max_depth}};
         EXPECT_EQ(depth_of(grow(mesh.view(), options).grown), max_depth);
     }
 }

@@ -12,7 +12,7 @@ namespace {
 constexpr TerminationRule to_the_end{0, 1, 50, SplitSearch::until_it_pays, 1e9};
 
 KdTree tree_of(const TriangleMesh& mesh, const TerminationRule& stop, int depth = 0,
-               const BuildOptions& options = {}) {
+               const KdOptions& options = {}) {
     const TriangleMeshView view = mesh.view();
     const Aabb box = bounds_of_all(view);
     Subtree built =
@@ -61,7 +61,7 @@ TEST(KdBuilder, SplitsSinglePrimitivesOnlyIfThatPays) {
     const TriangleMesh mesh = make_triangle({Vec3f{0, 0, 0}, Vec3f{1, 0, 0}, Vec3f{0, 1, 1}});
     EXPECT_EQ(tree_of(mesh, to_the_end).nodes().size(), 1U);
     // Cheap traversal: empty space around one triangle is worth cutting off.
-    const BuildOptions cheap{.cost = {.traversal = 0.0}};
+    const KdOptions cheap{.cost = {.traversal = 0.0}};
     const TriangleMeshView view = mesh.view();
     const Aabb large{{-9, -9, -9}, {9, 9, 9}};
     Subtree built =

@@ -6,7 +6,7 @@ namespace coppice::test {
 namespace {
 
 constexpr Aabb cube{{0, 0, 0}, {1, 1, 1}};
-constexpr SahCostModel cost{.traversal = 2.0};
+const SahCostModel cost{.traversal = 2.0};
 
 TEST(TerminationRule, OfTheThesisEndsAtItsLimits) {
     const TerminationRule rule{4, 2, 10, SplitSearch::first_offer, 0.0};

@@ -36,7 +36,7 @@ bool are_equal(const std::vector<PrimRef>& a, const std::vector<PrimRef>& b) {
 TEST(KdTopTree, DistributesAsDivisionsDo_5) {
     for (const TriangleMesh& mesh : {make_soup(20'000, 0.005F, 5), make_boxes(12)}) {
         const TriangleMeshView view = mesh.view();
-        BuildOptions options;
+        KdOptions options;
         options.sample.rate = 0.05;
         options.split.max_leaf = 4;
         const KdTree tree = build_on_sample(view, draw_sample(view, options.sample), options);

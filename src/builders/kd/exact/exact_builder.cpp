@@ -17,31 +17,26 @@
 
 namespace coppice::inline v0 {
 
-ExactBuilder::ExactBuilder(PrimitiveSetView primitives, const BuildOptions& options,
-                           const TerminationRule& stop, MemoryMeter* meter, Progress* progress)
+ExactBuilder::ExactBuilder(PrimitiveSetView primitives, const KdOptions& options,
+                           const TerminationRule& stop, MemoryMeter* meter)
     : division_{primitives, options.split.clipping, meter},
       cost_(options.cost),
       stop_(stop),
-      progress_(progress),
       small_(primitives, options, stop, meter) {}
 
-TreePart ExactBuilder::build(std::vector<PrimRef> prim_refs, const NodeState& node) const {
+TreePart ExactBuilder::build(std::vector<PrimRef> prim_refs, const NodeState& node,
+                             WorkShare work) const {
+    constexpr double part_of_sorting = 0.12;
     ExactNode root = make_exact_node(std::move(prim_refs));
-    NodeState state = node;
-    if (node.share > 0.0) {
-        constexpr double share_of_sorting = 0.12;
-        progress_->add(share_of_sorting * node.share);
-        state.share = (1.0 - share_of_sorting) * node.share;
-    }
-    return build_node(std::move(root), state);
+    work.part(part_of_sorting).done();
+    return build_node(std::move(root), node, work.part(1.0 - part_of_sorting));
 }
 
-TreePart ExactBuilder::build_node(ExactNode node, NodeState state) const {
+TreePart ExactBuilder::build_node(ExactNode node, NodeState state, WorkShare work) const {
     const std::size_t count = node.prim_refs.size();
-    if (count < parallel_prim_ref_count && state.share > 0.0) {
-        const double share = std::exchange(state.share, 0.0);  // told of at once
-        TreePart part = build_node(std::move(node), state);
-        progress_->add(share);
+    if (count < parallel_prim_ref_count && work.is_asked_for()) {
+        TreePart part = build_node(std::move(node), state, {});  // what is small is told at once
+        work.done();
         return part;
     }
     throw_if_cancelled();
@@ -54,7 +49,7 @@ TreePart ExactBuilder::build_node(ExactNode node, NodeState state) const {
     if (!split || !stop_.accepts(split->cost, leaf_cost, state)) {
         Subtree leaf;
         make_leaf(leaf, 0, node.prim_refs);
-        if (state.share > 0.0) progress_->add(state.share);
+        work.done();
         return TreePart(std::move(leaf), division_.meter);
     }
     const SplitPlane plane = split->plane;
@@ -72,19 +67,18 @@ TreePart ExactBuilder::build_node(ExactNode node, NodeState state) const {
     const std::size_t below_count = children.below.prim_refs.size();
     const std::size_t above_count = children.above.prim_refs.size();
     const double more = static_cast<double>(below_count + above_count) / static_cast<double>(count);
-    const NodeShares shares = divide_share(state.share, count, below_count, above_count);
-    if (shares.own > 0.0) progress_->add(shares.own);
+    const auto [work_below, work_above] = work.divide(count, below_count, above_count);
     return build_both(
         plane, split->planar_side, count,
-        [&] {
+        [&, work = work_below] {
             below_bytes.release();  // the child counts its own
-            return build_node(std::move(children.below),
-                              state.child(below(state.box, plane), more, shares.below));
+            return build_node(std::move(children.below), state.child(below(state.box, plane), more),
+                              work);
         },
-        [&] {
+        [&, work = work_above] {
             above_bytes.release();
-            return build_node(std::move(children.above),
-                              state.child(above(state.box, plane), more, shares.above));
+            return build_node(std::move(children.above), state.child(above(state.box, plane), more),
+                              work);
         });
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "coppice/builders/build_options.h"
+#include "coppice/builders/kd_options.h"
 #include "coppice/geom/primitive_set.h"
 
 #include "builders/kd/exact/exact_node.h"
@@ -12,24 +12,24 @@
 
 namespace coppice::inline v0 {
 
-/// Builds the tree that KdBuilder builds by the rule `exact`, plane for plane, in O(N log N).
+/// Builds the tree that KdBuilder builds by a rule that finds_cheapest_end(), plane for plane, in
+/// O(N log N).
 class ExactBuilder {
 public:
-    /// options.split.rule must be "exact".
-    ExactBuilder(PrimitiveSetView primitives, const BuildOptions& options,
-                 const TerminationRule& stop, MemoryMeter* meter = nullptr,
-                 Progress* progress = nullptr);
+    /// The rule of the options is such a one.
+    ExactBuilder(PrimitiveSetView primitives, const KdOptions& options, const TerminationRule& stop,
+                 MemoryMeter* meter = nullptr);
 
     /// The subtree of a node with these PrimRefs. Throws Error(limit) for 2^30 of them or more.
-    [[nodiscard]] TreePart build(std::vector<PrimRef> prim_refs, const NodeState& node) const;
+    [[nodiscard]] TreePart build(std::vector<PrimRef> prim_refs, const NodeState& node,
+                                 WorkShare work = {}) const;
 
 private:
-    [[nodiscard]] TreePart build_node(ExactNode node, NodeState state) const;
+    [[nodiscard]] TreePart build_node(ExactNode node, NodeState state, WorkShare work) const;
 
     Division division_;
     SahCostModel cost_;
     TerminationRule stop_;
-    Progress* progress_;
     KdBuilder small_;  // for nodes where vectors are faster than lists
 };
 

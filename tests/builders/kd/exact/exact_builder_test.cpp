@@ -17,12 +17,12 @@ namespace {
 constexpr TerminationRule to_the_end{0, 1, 40, SplitSearch::until_it_pays, 8.0};
 constexpr TerminationRule thesis{8, 3, 40, SplitSearch::first_offer, 0.0};
 
-BuildOptions exact_options(Clipping clipping, double empty_bonus) {
+KdOptions exact_options(Clipping clipping, double empty_bonus) {
     return {.split = {.rule = "exact", .clipping = clipping}, .cost = {.empty_bonus = empty_bonus}};
 }
 
 void expect_same(std::vector<PrimRef> prim_refs, PrimitiveSetView primitives,
-                 const BuildOptions& options, const TerminationRule& stop) {
+                 const KdOptions& options, const TerminationRule& stop) {
     const NodeState root{bounds_of_all(primitives)};
     const Subtree naive = assemble(KdBuilder(primitives, options, stop).build(prim_refs, root));
     const Subtree exact =

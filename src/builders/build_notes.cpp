@@ -1,0 +1,135 @@
+// Which of the options asked for have no effect on a build, and why: for its report. An option
+// counts as asked for if it is not at its default.
+
+#include "coppice/builders/build_report.h"
+#include "coppice/builders/split_finder.h"
+
+#include "builders/bvh8/plan.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace coppice::inline v0 {
+namespace {
+
+class Notes {
+public:
+    // `is_vain`: the option was asked for and has no effect.
+    void add(bool is_vain, std::string_view option, std::string reason) {
+        if (is_vain) notes_.push_back({std::string(option), std::move(reason)});
+    }
+
+    [[nodiscard]] std::vector<BuildNote> take() && { return std::move(notes_); }
+
+private:
+    std::vector<BuildNote> notes_;
+};
+
+// How a sample is drawn, where none is: `reason` says why.
+void add_sample_notes(const SampleOptions& sample, bool has_preset_sampler,
+                      const std::string& reason, Notes& notes) {
+    const SampleOptions usual;
+    const bool is_preset = has_preset_sampler && sample.sampler == bvh8::preset_sampler;
+    notes.add(sample.sampler != usual.sampler && !is_preset, "sample.sampler", reason);
+    notes.add(sample.custom_sampler != nullptr, "sample.custom_sampler", reason);
+    notes.add(sample.seed != usual.seed, "sample.seed", reason);
+    notes.add(sample.uniform_share != usual.uniform_share, "sample.uniform_share", reason);
+}
+
+// Of a sample that is drawn.
+void add_sampler_notes(const SampleOptions& sample, Notes& notes) {
+    const SampleOptions usual;
+    notes.add(sample.custom_sampler != nullptr && sample.sampler != usual.sampler, "sample.sampler",
+              "sample.custom_sampler is taken instead");
+    notes.add(
+        sample.uniform_share != usual.uniform_share && !sampler_of(sample).uses_uniform_share(),
+        "sample.uniform_share", fmt::format("the sampler {} has no use for it", sample.sampler));
+}
+
+void add_cost_notes(const SahCostModel& cost, Notes& notes) {
+    if (!cost.custom) return;
+    const SahCostModel usual;
+    const char* const reason = "cost.custom is taken instead";
+    notes.add(cost.traversal != usual.traversal, "cost.traversal", reason);
+    notes.add(cost.intersection != usual.intersection, "cost.intersection", reason);
+    notes.add(cost.empty_bonus != usual.empty_bonus, "cost.empty_bonus", reason);
+}
+
+void add_split_notes(const KdOptions& options, bool is_sampled, Notes& notes) {
+    const SplitOptions& split = options.split;
+    const SplitOptions usual;
+    notes.add(split.custom_rule != nullptr && split.rule != usual.rule, "split.rule",
+              "split.custom_rule is taken instead");
+    notes.add(split.sample_weighting != usual.sample_weighting && !is_sampled,
+              "split.sample_weighting", "all primitives are taken, and each stands for itself");
+    if (split.termination == Termination::sah) {
+        const char* const reason = "where termination is sah, splits go on as long as they pay";
+        notes.add(split.max_leaf != usual.max_leaf, "split.max_leaf", reason);
+        notes.add(split.bad_refines != usual.bad_refines, "split.bad_refines", reason);
+    } else if (options.leaf_refinement == LeafRefinement::none) {
+        const char* const reason =
+            "it is for splits that go on as long as they pay: where termination is sah, or the "
+            "leaves are refined";
+        notes.add(split.min_split != usual.min_split, "split.min_split", reason);
+        notes.add(split.max_duplication != usual.max_duplication, "split.max_duplication", reason);
+    }
+}
+
+}  // namespace
+
+std::vector<BuildNote> notes_on(const KdOptions& options, std::uint32_t primitive_count) {
+    Notes notes;
+    const bool is_sampled = sample_count(primitive_count, options.sample.rate) < primitive_count;
+    if (is_sampled) {
+        add_sampler_notes(options.sample, notes);
+    } else {
+        const bool is_asked_for = options.sample.rate < 1.0;
+        notes.add(is_asked_for, "sample.rate",
+                  fmt::format("{} of {} primitives is all of them", options.sample.rate,
+                              primitive_count));
+        add_sample_notes(options.sample, false, "all primitives are taken", notes);
+    }
+    add_split_notes(options, is_sampled, notes);
+    add_cost_notes(options.cost, notes);
+    return std::move(notes).take();
+}
+
+std::vector<BuildNote> notes_on(const Bvh8Options& options, std::uint32_t primitive_count) {
+    Notes notes;
+    const Bvh8Options usual;
+    const bvh8::Plan plan = bvh8::make_plan(options, primitive_count);
+    const bool is_small = primitive_count < options.sampled_from;
+    const bool is_sampled = plan.sampling.rate < 1.0;
+    notes.add(options.sample.rate < 1.0 && is_small, "sample.rate",
+              fmt::format("the scene has {} triangles, and those of fewer than {} are not sampled "
+                          "(sampled_from)",
+                          primitive_count, options.sampled_from));
+    if (!is_sampled) {
+        add_sample_notes(options.sample, true, "all triangles are taken", notes);
+        const bool would_be = bvh8::make_plan(options, options.sampled_from).sampling.rate < 1.0;
+        notes.add(options.sampled_from != usual.sampled_from && !would_be, "sampled_from",
+                  "at a sample rate of 1 no scene is sampled");
+        notes.add(options.cell_size != usual.cell_size && !plan.by_planes, "cell_size",
+                  "without a sample there are no cells");
+    } else if (options.sample.rate == 1.0) {
+        const bool is_preset = options.sample.sampler == plan.sampling.sampler;
+        notes.add(!is_preset && options.sample.sampler != usual.sample.sampler, "sample.sampler",
+                  fmt::format("at a rate of 1 the preset {} takes its own sample: {}",
+                              name_of(options.preset), plan.sampling.sampler));
+    } else {
+        add_sampler_notes(options.sample, notes);
+    }
+    notes.add(
+        options.expected_rays != usual.expected_rays && options.preset != Bvh8Preset::automatic,
+        "expected_rays", "only the preset automatic goes by it");
+    notes.add(options.cost.empty_bonus != usual.cost.empty_bonus && !options.cost.custom,
+              "cost.empty_bonus", "8-wide trees are built by constants of their own");
+    add_cost_notes(options.cost, notes);
+    return std::move(notes).take();
+}
+
+}  // namespace coppice::inline v0
