@@ -155,6 +155,8 @@ void refuse_vain_options(const CLI::App& parser, const lab::ExperimentOptions& o
     refuse_vain(parser, "--size", options.rays.empty(),
                 "no rays are traced; name some with --rays");
     refuse_vain_view(parser, options.rays);
+    const bool is_points = options.primitives == std::vector{lab::PrimitiveKind::points};
+    refuse_vain(parser, "--no-clip", is_points, "points are not cut");
     const bool is_sampled = std::any_of(options.percents.begin(), options.percents.end(),
                                         [](double percent) { return percent < 100.0; });
     for (const char* const name : {"--sampler", "--samplers"}) {

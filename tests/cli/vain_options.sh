@@ -38,6 +38,7 @@ vain --rates 'takes a sample' tune balls.ply --methods exact,quality --rates 5
 vain --size 'no rays are traced' experiment balls.ply --size 10
 vain --fov 'no rays begin' experiment balls.ply --fov 10
 vain --samplers '100 %' experiment balls.ply --rates 100 --samplers weighted
+vain --no-clip 'points are not cut' experiment balls.ply --primitives points --no-clip
 if coppice list --json | grep -q embree-high; then
     expect_exit 0 coppice bench balls.ply --size 4 --runs 1 --methods exact --batched
 else

@@ -72,7 +72,11 @@ class Grower {
 public:
     Grower(const TopTree& top, std::span<const Range> cells, const Splitter& splitter,
            const SpatialSplitter& spatial, std::span<std::uint32_t> ids)
-        : top_(top), splitter_(splitter), spatial_(spatial), ids_(ids), ranges_(top.nodes().size()) {
+        : top_(top),
+          splitter_(splitter),
+          spatial_(spatial),
+          ids_(ids),
+          ranges_(top.nodes().size()) {
         for (std::size_t node = top.nodes().size(); node-- > 0;) {
             ranges_[node] = range_of(top.nodes()[node], cells);
         }
