@@ -29,7 +29,7 @@ int main() {
     // rtcIntersect1M
     const std::vector<coppice::Ray> rays(1000, ray);
     std::vector<coppice::Hit> hits(rays.size());
-    scene.intersect(rays, hits, 0);  // 0: on all threads
+    scene.intersect(rays, hits);  // on all threads
 
     // An intersection filter that collects hits
     std::array<coppice::Hit, 8> first;
