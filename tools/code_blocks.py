@@ -180,15 +180,22 @@ def command_lines(block):
                 yield line_number, match[1].split()
 
 
+def commands_in_prose(page):
+    """`coppice VERB ...` in backticks, in text and tables: (line, words behind coppice)."""
+    for number, line in lines_of(page):
+        for command in re.findall(r"`coppice ([a-z][^`]*)`", line):
+            yield number, command.split()
+
+
 def check_command_lines(pages, options_of, offences):
-    """Options in examples exist; `options_of` is {verb: its options}."""
+    """Verbs and options in examples exist; `options_of` is {verb: its options}."""
     for page in pages:
+        commands = list(commands_in_prose(page))
         for block in blocks_of(page):
-            for line, words in command_lines(block) if block.language == "sh" else ():
-                verb, given = words[0], {
-                    word.partition("=")[0] for word in words[1:] if word.startswith("--")
-                }
-                if verb not in options_of:
-                    offences.add(page, line, f"coppice has no verb '{verb}'")
-                for option in sorted(given - options_of.get(verb, given) - {"--help", "--"}):
-                    offences.add(page, line, f"{option} is not an option of `coppice {verb}`")
+            commands += command_lines(block) if block.language == "sh" else []
+        for line, (verb, *words) in commands:
+            given = {word.partition("=")[0] for word in words if word.startswith("--")}
+            if verb not in options_of:
+                offences.add(page, line, f"coppice has no verb '{verb}'")
+            for option in sorted(given - options_of.get(verb, given) - {"--help", "--"}):
+                offences.add(page, line, f"{option} is not an option of `coppice {verb}`")
