@@ -23,8 +23,19 @@ from project import ROOT, lines_of
 
 MARK = re.compile(r"<!-- (file|excerpt): (\S+) -->$")
 FENCE = re.compile(r"( *)(```+|~~~+)(.*)$")
-COMPILE = [os.environ.get("CXX", "g++"), "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror",
-           "-Wno-missing-field-initializers", "-I", ROOT / "include", "-x", "c++"]
+COMPILE = [
+    os.environ.get("CXX", "g++"),
+    "-std=c++20",
+    "-fsyntax-only",
+    "-Wall",
+    "-Wextra",
+    "-Werror",
+    "-Wno-missing-field-initializers",
+    "-I",
+    ROOT / "include",
+    "-x",
+    "c++",
+]
 
 
 @dataclass
@@ -59,9 +70,10 @@ def blocks_of(page):
 
 
 def first_error(output):
-    """The first line of a tool's output that says what is wrong."""
-    lines = [line for line in output.splitlines() if "error" in line.lower()] or output.splitlines() or ["fails"]
-    return lines[0].strip()
+    """The first sentence of a tool's output that says what is wrong."""
+    lines = [line.strip() for line in output.splitlines() if line.strip()] or ["fails"]
+    first = next((index for index, line in enumerate(lines) if "error" in line.lower()), 0)
+    return " ".join(lines[first : first + (2 if lines[first].endswith(":") else 1)])
 
 
 def run_on(command, text, suffix):
@@ -99,7 +111,9 @@ def fault_of_sh(block):
 
 def fault_of_cmake(block):
     # The body of a function is parsed and not run.
-    return run_on(["cmake", "-P"], f"function(checked_block)\n{block.text}\nendfunction()\n", ".cmake")
+    return run_on(
+        ["cmake", "-P"], f"function(checked_block)\n{block.text}\nendfunction()\n", ".cmake"
+    )
 
 
 def fault_of_python(block):
@@ -119,13 +133,23 @@ def fault_of_json(block):
 
 
 def fault_of_text(block):
-    if re.search(r"#include|coppice::|^\s*(?:\$ )?(?:coppice|cmake|make|tools/\w+) \S", block.text, re.MULTILINE):
+    if re.search(
+        r"#include|coppice::|^\s*(?:\$ )?(?:coppice|cmake|make|tools/\w+) \S",
+        block.text,
+        re.MULTILINE,
+    ):
         return "C++ and command lines are not `text`: say `cpp` or `sh`, so that they are checked"
     return None
 
 
-CHECKS = {"cpp": fault_of_cpp, "sh": fault_of_sh, "cmake": fault_of_cmake, "python": fault_of_python,
-          "json": fault_of_json, "text": fault_of_text}
+CHECKS = {
+    "cpp": fault_of_cpp,
+    "sh": fault_of_sh,
+    "cmake": fault_of_cmake,
+    "python": fault_of_python,
+    "json": fault_of_json,
+    "text": fault_of_text,
+}
 
 
 def fault_of(block):
@@ -156,13 +180,22 @@ def command_lines(block):
                 yield line_number, match[1].split()
 
 
+def commands_in_prose(page):
+    """`coppice VERB ...` in backticks, in text and tables: (line, words behind coppice)."""
+    for number, line in lines_of(page):
+        for command in re.findall(r"`coppice ([a-z][^`]*)`", line):
+            yield number, command.split()
+
+
 def check_command_lines(pages, options_of, offences):
-    """Options in examples exist; `options_of` is {verb: its options}."""
+    """Verbs and options in examples exist; `options_of` is {verb: its options}."""
     for page in pages:
+        commands = list(commands_in_prose(page))
         for block in blocks_of(page):
-            for line, words in command_lines(block) if block.language == "sh" else ():
-                verb, given = words[0], {word.partition("=")[0] for word in words[1:] if word.startswith("--")}
-                if verb not in options_of:
-                    offences.add(page, line, f"coppice has no verb '{verb}'")
-                for option in sorted(given - options_of.get(verb, given) - {"--help", "--"}):
-                    offences.add(page, line, f"{option} is not an option of `coppice {verb}`")
+            commands += command_lines(block) if block.language == "sh" else []
+        for line, (verb, *words) in commands:
+            given = {word.partition("=")[0] for word in words if word.startswith("--")}
+            if verb not in options_of:
+                offences.add(page, line, f"coppice has no verb '{verb}'")
+            for option in sorted(given - options_of.get(verb, given) - {"--help", "--"}):
+                offences.add(page, line, f"{option} is not an option of `coppice {verb}`")

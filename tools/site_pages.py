@@ -17,33 +17,33 @@ import re
 from project import ROOT
 
 # Pages outside docs/, and what they are called in the site.
-OUTER_PAGES = {"CHANGELOG.md": "changelog.md", "CONTRIBUTING.md": "contributing.md", "src/README.md": "source_tour.md"}
+OUTER_PAGES = {
+    "CHANGELOG.md": "changelog.md",
+    "CONTRIBUTING.md": "contributing.md",
+    "src/README.md": "source_tour.md",
+}
 HOME = "README.md"  # of the repository: the site has index.md for it
 
 HEADERS = "include/coppice"
 API_MARK = re.compile(r"^<!-- api: (\S+) -->$", re.MULTILINE)
 LINK = re.compile(r"(!?)\[((?:[^][]|\[[^]]*\])*)\]\(<?([^)\s>]+)>?\)")
-FENCE = re.compile(r"^\s*(```|~~~)")
 
 
 def site_names():
     """{path in the repository: path in the site} of all pages and images."""
     docs = [path.relative_to(ROOT) for path in (ROOT / "docs").rglob("*") if path.is_file()]
-    names = {str(path): str(path.relative_to("docs")).replace("README.md", "index.md") for path in docs
-             if path.suffix in {".md", ".svg", ".png", ".jpg"} and path.parts[1] != "site"}
+    names = {
+        str(path): str(path.relative_to("docs")).replace("README.md", "index.md")
+        for path in docs
+        if path.suffix in {".md", ".svg", ".png", ".jpg"} and path.parts[1] != "site"
+    }
     return names | {page: name for page, name in OUTER_PAGES.items() if (ROOT / page).exists()}
 
 
 def outside_fences(text, change):
-    """The text with `change(line)` in place of every line that is not in a fenced block."""
-    lines, fenced = [], False
-    for line in text.split("\n"):
-        if FENCE.match(line):
-            fenced = not fenced
-        elif not fenced:
-            line = change(line)
-        lines.append(line)
-    return "\n".join(lines)
+    """The text with `change(part)` in place of every part that is in no fenced block."""
+    parts = re.split(r"(^ *```.*?^ *```$)", text, flags=re.DOTALL | re.MULTILINE)
+    return "".join(part if index % 2 else change(part) for index, part in enumerate(parts))
 
 
 def relative(target, page_name):
@@ -69,12 +69,17 @@ def rewrite_links(text, page, names, source):
             link = os.path.relpath(ROOT / target, os.path.dirname(source / names[page]))
         return f"{mark}[{label}]({link})"
 
-    return outside_fences(text, lambda line: LINK.sub(rewrite, line))
+    return outside_fences(text, lambda part: LINK.sub(rewrite, part))
 
 
 def with_targets(text):
     """references.md with an anchor before every entry."""
-    return re.sub(r"^- \*\*\[(\w+)\]\*\*", lambda m: f"\n(ref-{m[1].lower()})=\n**{m[1]}**", text, flags=re.MULTILINE)
+    return re.sub(
+        r"^- \*\*\[(\w+)\]\*\*",
+        lambda m: f"\n(ref-{m[1].lower()})=\n**{m[1]}**",
+        text,
+        flags=re.MULTILINE,
+    )
 
 
 def with_glossary(text):
@@ -108,13 +113,19 @@ def headers_of(module):
     """The headers of a folder below include/coppice, those of its own folders last; `.`: its own."""
     folder = ROOT / HEADERS / module
     found = folder.glob("*.h") if module == "." else folder.rglob("*.h")
-    return sorted((path.relative_to(ROOT / "include") for path in found), key=lambda p: (len(p.parts), p))
+    return sorted(
+        (path.relative_to(ROOT / "include") for path in found), key=lambda p: (len(p.parts), p)
+    )
 
 
 def with_reference(text, declared):
     def expand(match):
         headers = [str(header) for header in headers_of(match[1])]
-        return "\n\n".join("\n\n".join([f"## {os.path.basename(header)}", *declared[header]]) for header in headers if header in declared)
+        return "\n\n".join(
+            "\n\n".join([f"## {os.path.basename(header)}", *declared[header]])
+            for header in headers
+            if header in declared
+        )
 
     return API_MARK.sub(expand, text)
 
@@ -124,10 +135,19 @@ MAKE = {"docs/references.md": with_targets, "docs/glossary.md": with_glossary}
 
 def check_reference(pages):
     """Every folder of public headers has its page, and no page speaks of a folder that is gone."""
-    wanted = {path.name for path in (ROOT / HEADERS).iterdir() if path.is_dir()} - {"detail"} | {"."}
+    wanted = {path.name for path in (ROOT / HEADERS).iterdir() if path.is_dir()} - {"detail"} | {
+        "."
+    }
     found = [module for text in pages.values() for module in API_MARK.findall(text)]
-    if sorted(found) != sorted(wanted):
-        raise SystemExit(f"coppice build_docs: docs/api has pages of {sorted(found)}; the headers are {sorted(wanted)}")
+    for module in sorted(wanted - set(found)):
+        raise SystemExit(
+            f"coppice build_docs: the headers in {HEADERS}/{module} are on no page: "
+            f"write docs/api/{module}.md with the line <!-- api: {module} -->, and list it in README.md there"
+        )
+    for module in sorted(set(found) - wanted):
+        raise SystemExit(
+            f"coppice build_docs: a page in docs/api has <!-- api: {module} -->; there is no {HEADERS}/{module}"
+        )
 
 
 def write_if_changed(path, contents):
@@ -143,7 +163,9 @@ def stage_pages(source, declared):
     `declared` has the directives of each public header, see site_reference.
     """
     names = site_names()
-    pages = {page: (ROOT / page).read_text(encoding="utf-8") for page in names if page.endswith(".md")}
+    pages = {
+        page: (ROOT / page).read_text(encoding="utf-8") for page in names if page.endswith(".md")
+    }
     check_reference(pages)
     for page, text in pages.items():
         text = rewrite_links(text, page, names, source)

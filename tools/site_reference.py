@@ -3,10 +3,21 @@
 import xml.etree.ElementTree as ElementTree
 from collections import defaultdict
 
-DIRECTIVE = {"class": "doxygenclass", "struct": "doxygenstruct", "union": "doxygenunion", "concept": "doxygenconcept",
-             "function": "doxygenfunction", "enum": "doxygenenum", "typedef": "doxygentypedef",
-             "variable": "doxygenvariable", "define": "doxygendefine"}
-MEMBERS = {"doxygenclass": ":members:\n:undoc-members:", "doxygenstruct": ":members:\n:undoc-members:"}
+DIRECTIVE = {
+    "class": "doxygenclass",
+    "struct": "doxygenstruct",
+    "union": "doxygenunion",
+    "concept": "doxygenconcept",
+    "function": "doxygenfunction",
+    "enum": "doxygenenum",
+    "typedef": "doxygentypedef",
+    "variable": "doxygenvariable",
+    "define": "doxygendefine",
+}
+MEMBERS = {
+    "doxygenclass": ":members:\n:undoc-members:",
+    "doxygenstruct": ":members:\n:undoc-members:",
+}
 
 
 def text_of(element, tag):
@@ -31,7 +42,11 @@ def declarations(folder):
     """{header as it is included: [directive, ...]} of all that stands at namespace level."""
     found = defaultdict(list)  # of (line, directive)
     trees = list(compounds(folder))
-    spaces = {text_of(compound, "compoundname") for compound in trees if compound.get("kind") == "namespace"}
+    spaces = {
+        text_of(compound, "compoundname")
+        for compound in trees
+        if compound.get("kind") == "namespace"
+    }
 
     def add(element, kind, name, arguments=""):
         location = element.find("location")
@@ -45,8 +60,14 @@ def declarations(folder):
             for member in compound.iter("memberdef"):
                 if kind == "namespace" or member.get("kind") == "define":
                     space = name + "::" if kind == "namespace" else ""
-                    add(member, member.get("kind"), space + text_of(member, "name"), text_of(member, "argsstring")
-                        if member.get("kind") == "function" else "")
+                    add(
+                        member,
+                        member.get("kind"),
+                        space + text_of(member, "name"),
+                        text_of(member, "argsstring") if member.get("kind") == "function" else "",
+                    )
         elif kind in DIRECTIVE and name.rpartition("::")[0] in spaces:
             add(compound, kind, name)
-    return {header: [directive for _, directive in sorted(entries)] for header, entries in found.items()}
+    return {
+        header: [directive for _, directive in sorted(entries)] for header, entries in found.items()
+    }

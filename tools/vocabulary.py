@@ -11,15 +11,24 @@ from project import ROOT, lines_of
 
 RETIRED = [
     # Trees and their tracing.
-    (r"\bWide(?:Bvh|Tracer|Node|Child|Options|Preset|Builder)\w*", "Bvh8, Bvh8Tracer, Bvh8Node, ..."),
-    (r"\b\w*wide_(?:bvh|tracer|node|child|width|preset|options|reference)\w*", "bvh8, bvh8_tracer, ..."),
+    (
+        r"\bWide(?:Bvh|Tracer|Node|Child|Options|Preset|Builder)\w*",
+        "Bvh8, Bvh8Tracer, Bvh8Node, ...",
+    ),
+    (
+        r"\b\w*wide_(?:bvh|tracer|node|child|width|preset|options|reference)\w*",
+        "bvh8, bvh8_tracer, ...",
+    ),
     (r"(?<!8-)\b[Ww]ide (?:trees?|nodes?|BVHs?|references?|methods?)\b", "8-wide tree, Bvh8"),
     (r"\b(?:Quick|Careful)Ray\b", "fast and robust traversal"),
     (r"\bFirstHit\b|\bAllHits\b", "ClosestHitQuery, AnyHitQuery, FirstKHitsQuery"),
     (r"\bGroupTraversal\b|\b[Rr]ay groups?\b|\bgroups? of rays\b", "ray packet"),
     (r"\b[Bb]eams?\b", "frustum of a packet"),
     # Builders.
-    (r"\bFragment\b|\bFragmentStack\b|\bfragment_stack\b|\bfragments\b", "PrimRef, primitive reference"),
+    (
+        r"\bFragment\b|\bFragmentStack\b|\bfragment_stack\b|\bfragments\b",
+        "PrimRef, primitive reference",
+    ),
     (r"\bHorizon\b|\bhorizon\.h\b|\bhorizon_\w+", "TopTree"),
     (r"\bSender\b", "TopTree"),
     (r"\bStop::|\benum class Stop\b|\bStopRule\b|\bstop_rule\b", "Termination"),
@@ -33,22 +42,49 @@ RETIRED = [
     (r"\b[Ee]dge[ _]volumes?\b|\bEdgeVolume\w*", "edge function"),
     (r"\b[Oo]ddit(?:y|ies)\b", "LoadIssue, load issue"),
     # Folders.
-    (r"\bworkbench/lab\b|\btests/lab\b|#include \"lab/", "statistics, rows, scenes, experiment, bench, verify, tune, compare"),
+    (
+        r"\bworkbench/lab\b|\btests/lab\b|#include \"lab/",
+        "statistics, rows, scenes, experiment, bench, verify, tune, compare",
+    ),
     (r"\bcoppice/build/|\b(?:src|tests)/build/(?=\w)", "builders/"),
 ]
 
 # What tells of the past, and this table.
 EXEMPT = {"CHANGELOG.md", "tools/vocabulary.py"}
-SUFFIXES = (".h", ".cpp", ".inl", ".md", ".py", ".sh", ".txt", ".cmake", ".mjs", ".js", ".css", ".html", ".in", "")
+SUFFIXES = (
+    ".h",
+    ".cpp",
+    ".inl",
+    ".md",
+    ".py",
+    ".sh",
+    ".txt",
+    ".cmake",
+    ".mjs",
+    ".js",
+    ".css",
+    ".html",
+    ".in",
+    "",
+)
 
 
 def checked_files():
     """All text that is written by hand, relative to the root."""
-    listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=ROOT,
-                            check=True, capture_output=True, text=True).stdout
+    listed = subprocess.run(
+        ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+        cwd=ROOT,
+        check=True,
+        capture_output=True,
+        text=True,
+    ).stdout
     for name in sorted(set(listed.split("\0")) - {""} - EXEMPT):
         path = ROOT / name
-        if path.is_file() and path.suffix in SUFFIXES and not name.startswith(("tests/data/", "tests/repro/", "fuzz/seeds")):
+        if (
+            path.is_file()
+            and path.suffix in SUFFIXES
+            and not name.startswith(("tests/data/", "tests/repro/", "fuzz/seeds"))
+        ):
             yield name
 
 

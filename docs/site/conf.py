@@ -48,15 +48,30 @@ def link_citations(app, document):
     if app.env.docname == "references":
         return
     for text in list(document.findall(nodes.Text)):
-        if CITATION.search(text) and not isinstance(text.parent, (nodes.literal, nodes.literal_block, nodes.reference)):
+        if CITATION.search(text) and not isinstance(
+            text.parent, (nodes.literal, nodes.literal_block, nodes.reference)
+        ):
             parts = [part for part in CITATION.split(text) if part]
-            text.parent.replace(text, [link_to(app.env.docname, part) if CITATION.match(part) else nodes.Text(part)
-                                       for part in parts])
+            text.parent.replace(
+                text,
+                [
+                    link_to(app.env.docname, part) if CITATION.match(part) else nodes.Text(part)
+                    for part in parts
+                ],
+            )
 
 
 def link_to(page, key):
-    link = addnodes.pending_xref(key, nodes.inline(key, key), refdomain="std", reftype="ref", refexplicit=True,
-                                 refwarn=True, reftarget="ref-" + key[1:-1].lower(), refdoc=page)
+    link = addnodes.pending_xref(
+        key,
+        nodes.inline(key, key),
+        refdomain="std",
+        reftype="ref",
+        refexplicit=True,
+        refwarn=True,
+        reftarget="ref-" + key[1:-1].lower(),
+        refdoc=page,
+    )
     link.source, link.line = page, 0
     return link
 
