@@ -22,7 +22,7 @@ set(COPPICE_OUTER_FLAGS "" CACHE STRING "More compiler flags of all our code but
 
 # coppice_target(<target>): the compile options of our own code.
 function(coppice_target target)
-  if(NOT target STREQUAL coppice)
+  if(NOT target MATCHES "^coppice_(core|io)$")
     separate_arguments(outer_flags NATIVE_COMMAND "${COPPICE_OUTER_FLAGS}")
     target_compile_options(${target} PRIVATE ${outer_flags})
   endif()

@@ -1,5 +1,8 @@
 #include "program.h"
 
+#include "coppice/base/parallel.h"
+#include "coppice/io/load_mesh.h"
+
 #include "options.h"
 #include "piped_scenes.h"
 #include "rows/machine.h"
@@ -15,8 +18,10 @@ namespace coppice::app {
 namespace {
 
 std::string version_text() {
-    return fmt::format("coppice {} (revision {}, {}, {})", lab::coppice_version(),
-                       lab::git_revision(), lab::compiler_name(), lab::build_type());
+    return fmt::format("coppice {} (revision {}, {}, {}, tasks by {}, {} Assimp)",
+                       lab::coppice_version(), lab::git_revision(), lab::compiler_name(),
+                       lab::build_type(), tasking_backend(),
+                       can_load_scene_files() ? "with" : "without");
 }
 
 /// The names of the commands, or of the options of one command, for suggestions.

@@ -31,3 +31,4 @@
 #include "coppice/tree/kd_tree.h"
 #include "coppice/tree/validate.h"
 #include "coppice/tree/walk.h"
+#include "coppice/version.h"

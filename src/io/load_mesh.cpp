@@ -70,7 +70,8 @@ LoadedMesh load_by_extension(const std::filesystem::path& file, MeshAttributes* 
         return load_scene_file(file, attributes);
     }
     throw file_error(ErrorCode::unsupported, file.string(),
-                     fmt::format("unknown mesh file extension {}", in_quotes(extension)));
+                     fmt::format("unknown mesh file extension {}{}", in_quotes(extension),
+                                 missing_scene_formats()));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "io/load_scene_file.h"
 
 #include "coppice/base/error.h"
+#include "coppice/io/load_mesh.h"
 
 #include "io/assimp_log.h"
 #include "io/import_answer.h"
@@ -205,6 +206,14 @@ std::string import_isolated(const std::filesystem::path& file, std::uint64_t fil
 }
 
 }  // namespace
+
+bool can_load_scene_files() noexcept {
+    return true;
+}
+
+std::string_view missing_scene_formats() noexcept {
+    return "";
+}
 
 bool is_scene_file_extension(const std::string& extension) {
     return Assimp::Importer().IsExtensionSupported(extension);

@@ -14,6 +14,8 @@
 #include <mutex>
 #include <set>
 #include <stdexcept>
+#include <stop_token>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -62,6 +64,7 @@ Concurrency concurrency_within(int thread_limit) {
 
 TEST(HardwareThreadCount, IsPositive) {
     EXPECT_GE(hardware_thread_count(), 1);
+    EXPECT_TRUE(hardware_thread_count() == 1 || tasking_backend() != std::string_view("serial"));
 }
 
 TEST(ParallelForChunks, CoversEverythingOnce) {
@@ -157,6 +160,59 @@ TEST(RunWithThreads, PassesExceptionsOn) {
     for (const int threads : {0, 1, 2}) {
         EXPECT_THROW(run_with_threads(threads, [] { throw Error(ErrorCode::io, "work"); }), Error);
     }
+}
+
+/// The code of the Error that `work` throws.
+ErrorCode code_of(const std::function<void()>& work) {
+    try {
+        work();
+    } catch (const Error& error) {
+        return error.code();
+    }
+    ADD_FAILURE() << "no error";
+    return {};
+}
+
+TEST(RunWithThreads, DoesNotBeginOnceStopped) {
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_EQ(code_of([&] {
+                  run_with_threads(
+                      2, [] { FAIL() << "it ran"; }, stop.get_token());
+              }),
+              ErrorCode::cancelled);
+}
+
+TEST(RunWithThreads, StopsWhatIsInside) {
+    for (const int threads : {1, 2}) {
+        std::stop_source stop;
+        std::atomic<int> chunks = 0;
+        const auto work = [&] {
+            parallel_for_chunks(100'000, 1, [&](std::size_t, std::size_t) {
+                ++chunks;
+                stop.request_stop();
+            });
+            FAIL() << "it went on";
+        };
+        EXPECT_EQ(code_of([&] { run_with_threads(threads, work, stop.get_token()); }),
+                  ErrorCode::cancelled);
+        EXPECT_LT(chunks, 100'000);
+    }
+}
+
+TEST(RunWithThreads, StopsTasksOfTasks) {
+    std::stop_source stop;
+    const auto inner = [&] {
+        stop.request_stop();
+        throw_if_cancelled();
+        FAIL() << "it went on";
+    };
+    EXPECT_EQ(code_of([&] {
+                  run_with_threads(
+                      1, [&] { parallel_invoke(inner, inner); }, stop.get_token());
+              }),
+              ErrorCode::cancelled);
+    throw_if_cancelled();  // outside there is nothing to stop
 }
 
 class ParallelSort : public testing::TestWithParam<std::uint64_t> {};

@@ -3,6 +3,7 @@
 // a machine of fewer. The thread sanitizer watches this program (docs/reliability.md).
 
 #include "coppice/base/cpu.h"
+#include "coppice/base/parallel.h"
 #include "coppice/builders/build_tree.h"
 #include "coppice/builders/method.h"
 #include "coppice/store/fingerprint.h"
@@ -25,6 +26,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace coppice::test {
@@ -42,6 +44,7 @@ struct Way {
 std::vector<Way> all_ways() {
     std::vector<int> thread_counts{1, 2, 3, 8, 8};
     thread_counts.resize(std::max(2U, static_cast<unsigned>(effort(5))));
+    if (std::string_view(tasking_backend()) == "serial") thread_counts = {1, 8};  // one, both times
     std::vector<Way> ways;
     for (const int threads : thread_counts) {
         for (const Isa isa : available_isas()) {

@@ -1,10 +1,14 @@
 #pragma once
 
-#include <tbb/global_control.h>
-
 #include <cstddef>
 
+#ifdef COPPICE_TEST_HAS_TBB
+#include <tbb/global_control.h>
+#endif
+
 namespace coppice::test {
+
+#ifdef COPPICE_TEST_HAS_TBB
 
 /// While one lives, work may run on so many threads, also on a machine of fewer.
 class MoreThreads {
@@ -15,5 +19,15 @@ public:
 private:
     tbb::global_control allowed_;
 };
+
+#else
+
+/// Where tasks run serially there is one thread whatever is allowed.
+class MoreThreads {
+public:
+    explicit MoreThreads(std::size_t /*count*/) {}
+};
+
+#endif
 
 }  // namespace coppice::test

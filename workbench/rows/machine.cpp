@@ -1,6 +1,7 @@
 #include "rows/machine.h"
 
 #include "coppice/base/parallel.h"
+#include "coppice/version.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -12,9 +13,6 @@
 #include <fstream>
 
 // Set by the build for this file alone.
-#ifndef COPPICE_VERSION
-#define COPPICE_VERSION "unknown"
-#endif
 #ifndef COPPICE_BUILD_TYPE
 #define COPPICE_BUILD_TYPE "unknown"
 #endif
@@ -84,7 +82,7 @@ nlohmann::ordered_json provenance_json() {
 }
 
 std::string_view coppice_version() noexcept {
-    return COPPICE_VERSION;
+    return version().text;
 }
 
 std::string_view compiler_name() noexcept {

@@ -8,7 +8,11 @@
 
 namespace coppice::inline v0 {
 
-/// The number of hardware threads this process may use; at least 1.
+/// What runs tasks in this build of the library: "tbb", or "serial", where every number of threads
+/// means one.
+[[nodiscard]] const char* tasking_backend() noexcept;
+
+/// The number of hardware threads this process may use; at least 1, and 1 where tasks run serially.
 [[nodiscard]] int hardware_thread_count() noexcept;
 
 /// The rule for every number of threads in this library: at most so many, and 0 for all that the

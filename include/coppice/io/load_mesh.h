@@ -49,11 +49,15 @@ struct LoadReport {
     std::vector<std::string> warnings;        ///< the first of them
 };
 
+/// True if the library was built with Assimp, which reads STL, glTF, COLLADA and others; without it
+/// load_mesh() refuses them, naming what is missing.
+[[nodiscard]] bool can_load_scene_files() noexcept;
+
 /// Reads a triangle mesh: .obj, .ply, both also gzipped (.obj.gz, .ply.gz),
 /// .off (a file whose name has no extension is taken for what it begins like of these), and
-/// through Assimp .stl, .gltf, .glb, .dae, .x3d, .3ds, .fbx and others by file name.
-/// Polygons are cut into fans; all scene transforms are applied. A PLY file without faces is a
-/// point cloud and gives a mesh with no triangles. Vertices keep their order and are not merged
+/// through Assimp, where there is one, .stl, .gltf, .glb, .dae, .x3d, .3ds, .fbx and others by file
+/// name. Polygons are cut into fans; all scene transforms are applied. A PLY file without faces is
+/// a point cloud and gives a mesh with no triangles. Vertices keep their order and are not merged
 /// (OBJ, PLY). Coordinates become the nearest floats.
 /// If `report` is given it receives counts of all that was odd. If `attributes` is given it
 /// receives materials (OBJ with its MTL files, Assimp) and normals (OBJ, PLY, Assimp); what of them

@@ -1,0 +1,25 @@
+#pragma once
+
+/// The version of these headers; version() tells that of the library a program runs with.
+#define COPPICE_VERSION_MAJOR 0
+#define COPPICE_VERSION_MINOR 1
+#define COPPICE_VERSION_PATCH 0
+
+/// The version as one number, to compare: 10203 is 1.2.3.
+#define COPPICE_VERSION \
+    (COPPICE_VERSION_MAJOR * 10000 + COPPICE_VERSION_MINOR * 100 + COPPICE_VERSION_PATCH)
+
+namespace coppice::inline v0 {
+
+/// The version of a library.
+struct Version {
+    int major;
+    int minor;
+    int patch;
+    const char* text;  ///< "1.2.3"
+};
+
+/// The version of the library that runs; a shared one may be newer than the headers.
+[[nodiscard]] Version version() noexcept;
+
+}  // namespace coppice::inline v0
