@@ -1,5 +1,7 @@
 #pragma once
 
+#include "coppice/export.h"
+
 /// The version of these headers; version() tells that of the library a program runs with.
 #define COPPICE_VERSION_MAJOR 0
 #define COPPICE_VERSION_MINOR 1
@@ -20,6 +22,6 @@ struct Version {
 };
 
 /// The version of the library that runs; a shared one may be newer than the headers.
-[[nodiscard]] Version version() noexcept;
+[[nodiscard]] COPPICE_EXPORT Version version() noexcept;
 
 }  // namespace coppice::inline v0

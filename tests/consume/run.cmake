@@ -95,11 +95,10 @@ if(way STREQUAL "installed")
   pkg_config(${work}/prefix coppice-io with_io --static)
 elseif(way STREQUAL "add_subdirectory")
   build(build add_subdirectory core,io -DCOPPICE_TASKING=serial -DCOPPICE_WITH_ASSIMP=OFF
-    -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12 -DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON)
+    -DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON -DCMAKE_DISABLE_FIND_PACKAGE_assimp=ON)
   needs_only(${work}/build/core_alone)
 else()
-  build(build fetch_content core -DBUILD_SHARED_LIBS=ON -DCOPPICE_BUILD_IO=OFF -DCOPPICE_INSTALL=ON
-    -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12)
+  build(build fetch_content core -DBUILD_SHARED_LIBS=ON -DCOPPICE_BUILD_IO=OFF -DCOPPICE_INSTALL=ON)
   run(${CMAKE_COMMAND} --install ${work}/build --prefix ${work}/prefix)
   file(GLOB_RECURSE library ${work}/prefix/*/libcoppice_core.so)
   needs_only(${library} ${tbb})

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "coppice/export.h"
+
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -10,7 +12,7 @@ namespace coppice::inline v0 {
 /// A large piece of uninitialized memory, aligned to at least 64 bytes and in huge pages where it
 /// is large and the system has them. Owns it; can give back its end. What it is used for may change
 /// in its life: a page that has been touched once need not be cleared again.
-class BigBuffer {
+class COPPICE_EXPORT BigBuffer {
 public:
     BigBuffer() = default;
 

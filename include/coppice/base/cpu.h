@@ -1,5 +1,7 @@
 #pragma once
 
+#include "coppice/export.h"
+
 #include <span>
 #include <string_view>
 
@@ -16,14 +18,14 @@ enum class Isa {
 };
 
 /// The stable lower-case name, e.g. "sse4.2".
-[[nodiscard]] std::string_view name_of(Isa isa) noexcept;
+[[nodiscard]] COPPICE_EXPORT std::string_view name_of(Isa isa) noexcept;
 
 /// Those this processor can run, the slowest first; never none.
-[[nodiscard]] std::span<const Isa> available_isas() noexcept;
+[[nodiscard]] COPPICE_EXPORT std::span<const Isa> available_isas() noexcept;
 
 /// The fastest available one, or the one that the environment variable COPPICE_ISA names, in any
 /// case and with or without dots. Throws Error(invalid_argument) if that names none, or one this
 /// processor does not have.
-[[nodiscard]] Isa choose_isa();
+[[nodiscard]] COPPICE_EXPORT Isa choose_isa();
 
 }  // namespace coppice::inline v0

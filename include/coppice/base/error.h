@@ -1,5 +1,7 @@
 #pragma once
 
+#include "coppice/export.h"
+
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -19,11 +21,11 @@ enum class ErrorCode {
 };
 
 /// The stable lower-case name of a code, e.g. "parse".
-[[nodiscard]] std::string_view error_code_name(ErrorCode code) noexcept;
+[[nodiscard]] COPPICE_EXPORT std::string_view error_code_name(ErrorCode code) noexcept;
 
 /// Every exception the library throws on its own account. `what()` is one line fit for a user,
 /// prefixed with its context where there is one: `bunny.obj:812: face index 90210 out of range`.
-class Error : public std::runtime_error {
+class COPPICE_EXPORT Error : public std::runtime_error {
 public:
     /// `message` is what() word for word.
     Error(ErrorCode code, const std::string& message);
@@ -36,10 +38,11 @@ private:
 };
 
 /// An Error whose message starts with the file at fault: `file: message`.
-[[nodiscard]] Error file_error(ErrorCode code, std::string_view file, std::string_view message);
+[[nodiscard]] COPPICE_EXPORT Error file_error(ErrorCode code, std::string_view file,
+                                              std::string_view message);
 
 /// An Error whose message starts with the file and its 1-based line: `file:line: message`.
-[[nodiscard]] Error file_error(ErrorCode code, std::string_view file, std::size_t line,
-                               std::string_view message);
+[[nodiscard]] COPPICE_EXPORT Error file_error(ErrorCode code, std::string_view file,
+                                              std::size_t line, std::string_view message);
 
 }  // namespace coppice::inline v0

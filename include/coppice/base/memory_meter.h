@@ -1,5 +1,7 @@
 #pragma once
 
+#include "coppice/export.h"
+
 #include <atomic>
 #include <cstdint>
 #include <utility>
@@ -85,6 +87,6 @@ private:
 
 /// The most memory that this process has held so far, as the system counts it (the "VmHWM" of
 /// Linux); 0 where the system does not tell.
-[[nodiscard]] std::uint64_t process_peak_bytes() noexcept;
+[[nodiscard]] COPPICE_EXPORT std::uint64_t process_peak_bytes() noexcept;
 
 }  // namespace coppice::inline v0

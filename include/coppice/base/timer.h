@@ -1,5 +1,7 @@
 #pragma once
 
+#include "coppice/export.h"
+
 #include <chrono>
 
 namespace coppice::inline v0 {
@@ -21,7 +23,7 @@ private:
 };
 
 /// Processor seconds that all threads of this process have used so far, together.
-[[nodiscard]] double process_cpu_seconds() noexcept;
+[[nodiscard]] COPPICE_EXPORT double process_cpu_seconds() noexcept;
 
 /// A stopwatch on the processor time of the whole process, running from its construction.
 class CpuTimer {

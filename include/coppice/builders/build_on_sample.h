@@ -2,6 +2,7 @@
 
 #include "coppice/builders/build_context.h"
 #include "coppice/builders/kd_options.h"
+#include "coppice/export.h"
 #include "coppice/geom/primitive_set.h"
 #include "coppice/sample/sampler.h"
 #include "coppice/tree/kd_tree.h"
@@ -12,7 +13,8 @@ namespace coppice::inline v0 {
 /// primitives, so that the others fit in later. Deterministic for any number of threads.
 /// The stages take primitives as they are: build_kd_tree() has checked them before.
 /// Source: [Tsiompikas2022] sec. 4.3.1, [Pharr2016] sec. 4.4.
-[[nodiscard]] KdTree build_on_sample(PrimitiveSetView primitives, const Sample& sample,
-                                     const KdOptions& options, const BuildContext& context = {});
+[[nodiscard]] COPPICE_EXPORT KdTree build_on_sample(PrimitiveSetView primitives,
+                                                    const Sample& sample, const KdOptions& options,
+                                                    const BuildContext& context = {});
 
 }  // namespace coppice::inline v0

@@ -2,6 +2,7 @@
 
 #include "coppice/builders/bvh8_options.h"
 #include "coppice/builders/kd_options.h"
+#include "coppice/export.h"
 
 #include <cstdint>
 #include <variant>
@@ -21,11 +22,11 @@ using BuildOptions = std::variant<KdOptions, Bvh8Options>;
 
 // What both kinds have.
 
-[[nodiscard]] const SampleOptions& sample_of(const BuildOptions& options) noexcept;
-[[nodiscard]] SampleOptions& sample_of(BuildOptions& options) noexcept;
-[[nodiscard]] const SahCostModel& cost_of(const BuildOptions& options) noexcept;
-[[nodiscard]] SahCostModel& cost_of(BuildOptions& options) noexcept;
-[[nodiscard]] int threads_of(const BuildOptions& options) noexcept;
-void set_threads(BuildOptions& options, int threads) noexcept;
+[[nodiscard]] COPPICE_EXPORT const SampleOptions& sample_of(const BuildOptions& options) noexcept;
+[[nodiscard]] COPPICE_EXPORT SampleOptions& sample_of(BuildOptions& options) noexcept;
+[[nodiscard]] COPPICE_EXPORT const SahCostModel& cost_of(const BuildOptions& options) noexcept;
+[[nodiscard]] COPPICE_EXPORT SahCostModel& cost_of(BuildOptions& options) noexcept;
+[[nodiscard]] COPPICE_EXPORT int threads_of(const BuildOptions& options) noexcept;
+COPPICE_EXPORT void set_threads(BuildOptions& options, int threads) noexcept;
 
 }  // namespace coppice::inline v0

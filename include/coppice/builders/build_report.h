@@ -2,6 +2,7 @@
 
 #include "coppice/builders/build_options.h"
 #include "coppice/cost/tree_statistics.h"
+#include "coppice/export.h"
 
 #include <cstdint>
 #include <optional>
@@ -74,9 +75,9 @@ struct BuildReport {
 
 /// The options that have no effect on a build of `primitive_count` primitives, or another than they
 /// ask for. What is left at its default is not asked for.
-[[nodiscard]] std::vector<BuildNote> notes_on(const KdOptions& options,
-                                              std::uint32_t primitive_count);
-[[nodiscard]] std::vector<BuildNote> notes_on(const Bvh8Options& options,
-                                              std::uint32_t primitive_count);
+[[nodiscard]] COPPICE_EXPORT std::vector<BuildNote> notes_on(const KdOptions& options,
+                                                             std::uint32_t primitive_count);
+[[nodiscard]] COPPICE_EXPORT std::vector<BuildNote> notes_on(const Bvh8Options& options,
+                                                             std::uint32_t primitive_count);
 
 }  // namespace coppice::inline v0

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "coppice/cost/sah_cost_model.h"
+#include "coppice/export.h"
 #include "coppice/sample/sampler.h"
 
 #include <cstdint>
@@ -28,9 +29,9 @@ struct Bvh8Options {
 };
 
 /// Throws Error(invalid_argument) naming the first option outside its range.
-void require_valid(const Bvh8Options& options);
+COPPICE_EXPORT void require_valid(const Bvh8Options& options);
 
 /// The stable lower-case name, e.g. "automatic".
-[[nodiscard]] const char* name_of(Bvh8Preset preset) noexcept;
+[[nodiscard]] COPPICE_EXPORT const char* name_of(Bvh8Preset preset) noexcept;
 
 }  // namespace coppice::inline v0

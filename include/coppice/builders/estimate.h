@@ -3,6 +3,7 @@
 #include "coppice/builders/build_report.h"
 #include "coppice/builders/bvh8_options.h"
 #include "coppice/builders/kd_options.h"
+#include "coppice/export.h"
 #include "coppice/geom/primitive_set.h"
 #include "coppice/geom/triangle_mesh.h"
 
@@ -15,12 +16,13 @@ namespace coppice::inline v0 {
 /// build, of an 8-wide tree's up to half. The seconds are for memory that the process has not
 /// touched yet. All but the seconds depends on primitives and options alone; these are of this
 /// machine, now. Throws like build_kd_tree().
-[[nodiscard]] BuildEstimate estimate_kd_tree(PrimitiveSetView primitives,
-                                             const KdOptions& options = {},
-                                             const std::stop_token& stop = {});
+[[nodiscard]] COPPICE_EXPORT BuildEstimate estimate_kd_tree(PrimitiveSetView primitives,
+                                                            const KdOptions& options = {},
+                                                            const std::stop_token& stop = {});
 
 /// The same of build_bvh8().
-[[nodiscard]] BuildEstimate estimate_bvh8(TriangleMeshView mesh, const Bvh8Options& options = {},
-                                          const std::stop_token& stop = {});
+[[nodiscard]] COPPICE_EXPORT BuildEstimate estimate_bvh8(TriangleMeshView mesh,
+                                                         const Bvh8Options& options = {},
+                                                         const std::stop_token& stop = {});
 
 }  // namespace coppice::inline v0

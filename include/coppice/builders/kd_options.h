@@ -1,6 +1,7 @@
 #pragma once
 
 #include "coppice/cost/sah_cost_model.h"
+#include "coppice/export.h"
 #include "coppice/sample/sampler.h"
 
 #include <cstdint>
@@ -65,18 +66,18 @@ struct KdOptions {
 };
 
 /// Throws Error(invalid_argument) naming the first option outside its range.
-void require_valid(const KdOptions& options);
+COPPICE_EXPORT void require_valid(const KdOptions& options);
 
 /// The stable lower-case name, e.g. "bounding_box".
-[[nodiscard]] const char* name_of(Clipping clipping) noexcept;
+[[nodiscard]] COPPICE_EXPORT const char* name_of(Clipping clipping) noexcept;
 
 /// The stable lower-case name, e.g. "expected".
-[[nodiscard]] const char* name_of(SampleWeighting sample_weighting) noexcept;
+[[nodiscard]] COPPICE_EXPORT const char* name_of(SampleWeighting sample_weighting) noexcept;
 
 /// The stable lower-case name, e.g. "limits".
-[[nodiscard]] const char* name_of(Termination termination) noexcept;
+[[nodiscard]] COPPICE_EXPORT const char* name_of(Termination termination) noexcept;
 
 /// The stable lower-case name, e.g. "kd".
-[[nodiscard]] const char* name_of(LeafRefinement leaf_refinement) noexcept;
+[[nodiscard]] COPPICE_EXPORT const char* name_of(LeafRefinement leaf_refinement) noexcept;
 
 }  // namespace coppice::inline v0

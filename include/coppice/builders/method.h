@@ -1,6 +1,7 @@
 #pragma once
 
 #include "coppice/builders/build_options.h"
+#include "coppice/export.h"
 
 #include <span>
 #include <string_view>
@@ -8,7 +9,7 @@
 namespace coppice::inline v0 {
 
 /// A way to build a tree under its name, with one line on what it does.
-struct Method {
+struct COPPICE_EXPORT Method {
     std::string_view name;      ///< how options and reports call it
     std::string_view summary;   ///< what it does, in one line
     BuildOptions (*options)();  ///< what the name stands for, with the costs it was tuned for
@@ -30,9 +31,9 @@ struct Method {
 };
 
 /// All methods, k-d trees first.
-[[nodiscard]] std::span<const Method> method_registry();
+[[nodiscard]] COPPICE_EXPORT std::span<const Method> method_registry();
 
 /// The method of that name. Throws Error(invalid_argument) naming those that exist.
-[[nodiscard]] const Method& find_method(std::string_view name);
+[[nodiscard]] COPPICE_EXPORT const Method& find_method(std::string_view name);
 
 }  // namespace coppice::inline v0

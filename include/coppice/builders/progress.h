@@ -1,5 +1,7 @@
 #pragma once
 
+#include "coppice/export.h"
+
 #include <atomic>
 #include <functional>
 #include <mutex>
@@ -9,7 +11,7 @@ namespace coppice::inline v0 {
 /// How far a build is, for BuildControl::on_progress. Stages come one after another, each a share
 /// of the whole that is known before it; what is done of a stage may be told from several threads
 /// at once.
-class Progress {
+class COPPICE_EXPORT Progress {
 public:
     /// Tells the listener that nothing is done yet.
     explicit Progress(std::function<void(double)> listener);

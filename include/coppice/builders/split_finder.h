@@ -3,6 +3,7 @@
 #include "coppice/base/cpu.h"
 #include "coppice/builders/kd_options.h"
 #include "coppice/cost/sah_cost_model.h"
+#include "coppice/export.h"
 #include "coppice/geom/aabb.h"
 #include "coppice/tree/kd_node.h"
 
@@ -30,7 +31,7 @@ struct SplitCandidate {
 };
 
 /// The sum of the weights; exact, so that it does not depend on their order (see SampleWeighting).
-[[nodiscard]] double weight_of(std::span<const PrimRef> prim_refs) noexcept;
+[[nodiscard]] COPPICE_EXPORT double weight_of(std::span<const PrimRef> prim_refs) noexcept;
 
 /// A node about to be split: its box (never without area) and its PrimRefs (never none).
 struct SplitQuery {
@@ -71,13 +72,13 @@ struct SplitFinderEntry {
 };
 
 /// All split rules; the first is the default.
-[[nodiscard]] std::span<const SplitFinderEntry> split_finder_registry();
+[[nodiscard]] COPPICE_EXPORT std::span<const SplitFinderEntry> split_finder_registry();
 
 /// The rule of that name. Throws Error(invalid_argument) naming those that exist.
-[[nodiscard]] const SplitFinder& find_split_finder(std::string_view name);
+[[nodiscard]] COPPICE_EXPORT const SplitFinder& find_split_finder(std::string_view name);
 
 /// The rule that the options ask for: their own, or that of the name. Throws like
 /// find_split_finder().
-[[nodiscard]] const SplitFinder& split_finder_of(const SplitOptions& options);
+[[nodiscard]] COPPICE_EXPORT const SplitFinder& split_finder_of(const SplitOptions& options);
 
 }  // namespace coppice::inline v0

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "coppice/cost/cost_model.h"
+#include "coppice/export.h"
 
 #include <memory>
 
@@ -8,7 +9,7 @@ namespace coppice::inline v0 {
 
 /// The surface area heuristic's constants, in the same arbitrary unit of time.
 /// Source: [MacDonaldBooth1990], [WaldHavran2006] sec. 3.
-struct SahCostModel {
+struct COPPICE_EXPORT SahCostModel {
     double traversal = 1.0;     ///< of one inner node; >= 0
     double intersection = 1.0;  ///< of one primitive; > 0
     double empty_bonus = 0.5;   ///< share of the cost taken off a split with an empty side; [0, 1)
@@ -32,6 +33,6 @@ struct SahCostModel {
 };
 
 /// Throws Error(invalid_argument) naming the first constant outside its range.
-void require_valid(const SahCostModel& model);
+COPPICE_EXPORT void require_valid(const SahCostModel& model);
 
 }  // namespace coppice::inline v0

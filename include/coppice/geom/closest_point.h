@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/export.h"
 #include "coppice/geom/triangle.h"
 
 #include <cstdint>
@@ -29,6 +30,7 @@ struct ClosestPoint {
 /// The point of a triangle closest to `to`, in double precision; neither may be NaN or infinite.
 /// Two triangles that share an edge or a corner to which a point is closest have the very same
 /// squared distance to it. Triangles without area are the segments or points they are.
-[[nodiscard]] ClosestPoint closest_point(const Triangle& triangle, Vec3f to) noexcept;
+[[nodiscard]] COPPICE_EXPORT ClosestPoint closest_point(const Triangle& triangle,
+                                                        Vec3f to) noexcept;
 
 }  // namespace coppice::inline v0

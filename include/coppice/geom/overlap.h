@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/export.h"
 #include "coppice/geom/aabb.h"
 #include "coppice/geom/triangle.h"
 
@@ -10,6 +11,6 @@ namespace coppice::inline v0 {
 /// overlap. An empty box overlaps nothing; one without extent or without end will do. The
 /// triangle's corners must be finite.
 /// Source: [AkenineMoller2001].
-[[nodiscard]] bool overlaps(const Triangle& triangle, const Aabb& box) noexcept;
+[[nodiscard]] COPPICE_EXPORT bool overlaps(const Triangle& triangle, const Aabb& box) noexcept;
 
 }  // namespace coppice::inline v0

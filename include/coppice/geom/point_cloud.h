@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/export.h"
 #include "coppice/geom/aabb.h"
 
 #include <cstdint>
@@ -10,7 +11,7 @@ namespace coppice::inline v0 {
 
 /// Points that are not owned and must outlive the view. Satisfies PrimitiveSet: primitive i is
 /// point i.
-class PointCloudView {
+class COPPICE_EXPORT PointCloudView {
 public:
     PointCloudView() = default;
 
@@ -42,7 +43,7 @@ private:
 /// The distinct positions among `points`, in a random order that depends on `seed` alone: the
 /// thesis's primitives. -0 and +0 are the same position. At most 2^32 - 1 points; none may be NaN.
 /// Source: [Tsiompikas2022] sec. 4.2.
-[[nodiscard]] std::vector<Vec3f> shuffled_distinct_points(std::span<const Vec3f> points,
-                                                          std::uint64_t seed);
+[[nodiscard]] COPPICE_EXPORT std::vector<Vec3f> shuffled_distinct_points(
+    std::span<const Vec3f> points, std::uint64_t seed);
 
 }  // namespace coppice::inline v0

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/export.h"
 #include "coppice/geom/aabb.h"
 #include "coppice/geom/ray.h"
 #include "coppice/geom/vec3.h"
@@ -14,19 +15,20 @@ namespace coppice::inline v0 {
 using Triangle = std::array<Vec3f, 3>;
 
 /// The box of a triangle's corners.
-[[nodiscard]] Aabb triangle_bounds(const Triangle& triangle) noexcept;
+[[nodiscard]] COPPICE_EXPORT Aabb triangle_bounds(const Triangle& triangle) noexcept;
 
 /// The same, but all NaN if any coordinate is, which a box of the other corners would hide.
-[[nodiscard]] Aabb triangle_bounds_or_nan(const Triangle& triangle) noexcept;
+[[nodiscard]] COPPICE_EXPORT Aabb triangle_bounds_or_nan(const Triangle& triangle) noexcept;
 
 /// Area, in double precision; 0 for a degenerate triangle.
-[[nodiscard]] double triangle_area(const Triangle& triangle) noexcept;
+[[nodiscard]] COPPICE_EXPORT double triangle_area(const Triangle& triangle) noexcept;
 
 /// The box of the part of a triangle that lies in `box`; empty if no part does. Conservative: a
 /// triangle that comes within one float ulp of the box counts as touching it, bounds are rounded
 /// outward, and the result never leaves `box`.
 /// Source: [WaldHavran2006] sec. 2.4 (perfect splits), [SutherlandHodgman1974].
-[[nodiscard]] Aabb clipped_triangle_bounds(const Triangle& triangle, const Aabb& box) noexcept;
+[[nodiscard]] COPPICE_EXPORT Aabb clipped_triangle_bounds(const Triangle& triangle,
+                                                          const Aabb& box) noexcept;
 
 struct FrameExtent;
 
@@ -35,7 +37,7 @@ struct FrameExtent;
 /// leave no gap between them; a triangle is not hit by a ray in its plane.
 /// Source: [Woop2013], evaluated in double precision and, where that leaves it open, without
 /// rounding.
-class TriangleTest {
+class COPPICE_EXPORT TriangleTest {
 public:
     /// The ray must be one that is_traceable(); its t_max is ignored.
     explicit TriangleTest(const Ray& ray) noexcept;
@@ -64,7 +66,7 @@ private:
 
 /// The hit of a ray with one triangle, both sides, edges and corners included, as TriangleTest
 /// finds it. A ray that is not traceable hits nothing. The returned `prim` is 0.
-[[nodiscard]] std::optional<Hit> intersect_triangle(const Ray& ray,
-                                                    const Triangle& triangle) noexcept;
+[[nodiscard]] COPPICE_EXPORT std::optional<Hit> intersect_triangle(
+    const Ray& ray, const Triangle& triangle) noexcept;
 
 }  // namespace coppice::inline v0

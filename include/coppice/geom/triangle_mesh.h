@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/export.h"
 #include "coppice/geom/aabb.h"
 #include "coppice/geom/triangle.h"
 
@@ -17,7 +18,7 @@ using TriangleIndices = std::array<std::uint32_t, 3>;
 /// must be below vertices.size(): where a mesh enters the library (builders, SignedDistance,
 /// validate()) that is checked, and queries rely on it. Satisfies PrimitiveSet: primitive i is
 /// triangle i.
-class TriangleMeshView {
+class COPPICE_EXPORT TriangleMeshView {
 public:
     TriangleMeshView() = default;
 
@@ -74,6 +75,6 @@ struct TriangleMesh {
 };
 
 /// The box of the given points; empty for none.
-[[nodiscard]] Aabb bounds_of(std::span<const Vec3f> points) noexcept;
+[[nodiscard]] COPPICE_EXPORT Aabb bounds_of(std::span<const Vec3f> points) noexcept;
 
 }  // namespace coppice::inline v0

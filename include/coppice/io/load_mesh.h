@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/export.h"
 #include "coppice/geom/triangle_mesh.h"
 
 #include <cstddef>
@@ -13,7 +14,7 @@ namespace coppice::inline v0 {
 struct MeshAttributes;
 
 /// How often something odd but legal was met in a file, and the first places of it.
-struct LoadIssue {
+struct COPPICE_EXPORT LoadIssue {
     /// So many places are named.
     static constexpr std::size_t kept_places = 8;
 
@@ -51,7 +52,7 @@ struct LoadReport {
 
 /// True if the library was built with Assimp, which reads STL, glTF, COLLADA and others; without it
 /// load_mesh() refuses them, naming what is missing.
-[[nodiscard]] bool can_load_scene_files() noexcept;
+[[nodiscard]] COPPICE_EXPORT bool can_load_scene_files() noexcept;
 
 /// Reads a triangle mesh: .obj, .ply, both also gzipped (.obj.gz, .ply.gz),
 /// .off (a file whose name has no extension is taken for what it begins like of these), and
@@ -66,8 +67,8 @@ struct LoadReport {
 /// OBJ, PLY and OFF files (the first line of a statement that goes on over several): missing or
 /// empty file, directory, device, unknown extension, malformed or out-of-range indices, NaN or
 /// infinite coordinates or such beyond the range of float, no faces, truncated data.
-[[nodiscard]] TriangleMesh load_mesh(const std::filesystem::path& file,
-                                     LoadReport* report = nullptr,
-                                     MeshAttributes* attributes = nullptr);
+[[nodiscard]] COPPICE_EXPORT TriangleMesh load_mesh(const std::filesystem::path& file,
+                                                    LoadReport* report = nullptr,
+                                                    MeshAttributes* attributes = nullptr);
 
 }  // namespace coppice::inline v0

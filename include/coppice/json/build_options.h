@@ -1,21 +1,22 @@
 #pragma once
 
 #include "coppice/builders/build_options.h"
+#include "coppice/export.h"
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace coppice::inline v0 {
 
 /// Serializes all options under their own names; a sampler of your own as "custom".
-void to_json(nlohmann::json& json, const SampleOptions& options);
+COPPICE_EXPORT void to_json(nlohmann::json& json, const SampleOptions& options);
 
 /// Serializes all options under their own names; a split rule of your own as "custom".
-void to_json(nlohmann::json& json, const KdOptions& options);
+COPPICE_EXPORT void to_json(nlohmann::json& json, const KdOptions& options);
 
 /// Serializes all options under their own names.
-void to_json(nlohmann::json& json, const Bvh8Options& options);
+COPPICE_EXPORT void to_json(nlohmann::json& json, const Bvh8Options& options);
 
 /// The options of either kind as they are.
-void to_json(nlohmann::json& json, const BuildOptions& options);
+COPPICE_EXPORT void to_json(nlohmann::json& json, const BuildOptions& options);
 
 }  // namespace coppice::inline v0

@@ -1,16 +1,17 @@
 #pragma once
 
 #include "coppice/builders/build_report.h"
+#include "coppice/export.h"
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace coppice::inline v0 {
 
 /// Serializes all fields under their own names.
-void to_json(nlohmann::json& json, const BuildEstimate& estimate);
+COPPICE_EXPORT void to_json(nlohmann::json& json, const BuildEstimate& estimate);
 
 /// Serializes all fields under their own names; `stages` with a `total`, `notes` as an array of
 /// {"option", "reason"}, no estimate as null.
-void to_json(nlohmann::json& json, const BuildReport& report);
+COPPICE_EXPORT void to_json(nlohmann::json& json, const BuildReport& report);
 
 }  // namespace coppice::inline v0

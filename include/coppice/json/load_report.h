@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/export.h"
 #include "coppice/io/load_mesh.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,9 +8,9 @@
 namespace coppice::inline v0 {
 
 /// Serializes an issue as {"count": n, "first": [...]}.
-void to_json(nlohmann::json& json, const LoadIssue& issue);
+COPPICE_EXPORT void to_json(nlohmann::json& json, const LoadIssue& issue);
 
 /// Serializes a report, all fields under their own names.
-void to_json(nlohmann::json& json, const LoadReport& report);
+COPPICE_EXPORT void to_json(nlohmann::json& json, const LoadReport& report);
 
 }  // namespace coppice::inline v0

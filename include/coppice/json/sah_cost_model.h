@@ -1,6 +1,7 @@
 #pragma once
 
 #include "coppice/cost/sah_cost_model.h"
+#include "coppice/export.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -8,6 +9,6 @@ namespace coppice::inline v0 {
 
 /// Serializes a model, all constants under their own names; one of your own as `custom`: true
 /// beside them.
-void to_json(nlohmann::json& json, const SahCostModel& model);
+COPPICE_EXPORT void to_json(nlohmann::json& json, const SahCostModel& model);
 
 }  // namespace coppice::inline v0

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/export.h"
 #include "coppice/geom/aabb.h"
 #include "coppice/geom/point_cloud.h"
 #include "coppice/geom/triangle_mesh.h"
@@ -13,19 +14,19 @@ namespace coppice::inline v0 {
 
 /// All triangles within a distance of a point, by testing every one: the oracle of MeshSearch. In
 /// order of distance, equally near ones by id.
-[[nodiscard]] std::vector<SurfaceNeighbor> brute_force_within(
+[[nodiscard]] COPPICE_EXPORT std::vector<SurfaceNeighbor> brute_force_within(
     TriangleMeshView mesh, Vec3f center, float radius = std::numeric_limits<float>::infinity());
 
 /// All points within a distance of a point, in the same order: the oracle of PointSearch.
-[[nodiscard]] std::vector<Neighbor> brute_force_within(
+[[nodiscard]] COPPICE_EXPORT std::vector<Neighbor> brute_force_within(
     PointCloudView points, Vec3f center, float radius = std::numeric_limits<float>::infinity());
 
 /// The ids of all triangles that overlap a closed box, ascending.
-[[nodiscard]] std::vector<std::uint32_t> brute_force_overlapping(TriangleMeshView mesh,
-                                                                 const Aabb& box);
+[[nodiscard]] COPPICE_EXPORT std::vector<std::uint32_t> brute_force_overlapping(
+    TriangleMeshView mesh, const Aabb& box);
 
 /// The ids of all points in a closed box, ascending.
-[[nodiscard]] std::vector<std::uint32_t> brute_force_overlapping(PointCloudView points,
-                                                                 const Aabb& box);
+[[nodiscard]] COPPICE_EXPORT std::vector<std::uint32_t> brute_force_overlapping(
+    PointCloudView points, const Aabb& box);
 
 }  // namespace coppice::inline v0

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "coppice/base/cpu.h"
+#include "coppice/export.h"
 #include "coppice/geom/aabb.h"
 #include "coppice/geom/point_cloud.h"
 #include "coppice/query/neighbor.h"
@@ -29,7 +30,7 @@ struct SearchedPoints;
 /// `threads` (0 = all). Nothing is found near a
 /// point that is not finite, within a distance that is negative or NaN, or in a box that is empty.
 /// Distances are inclusive, in the units of the points.
-class PointSearch {
+class COPPICE_EXPORT PointSearch {
 public:
     /// No limit on the distance.
     static constexpr float anywhere = std::numeric_limits<float>::infinity();

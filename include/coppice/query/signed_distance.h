@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/export.h"
 #include "coppice/geom/triangle_mesh.h"
 #include "coppice/query/mesh_search.h"
 #include "coppice/query/neighbor.h"
@@ -28,7 +29,7 @@ struct SignedNeighbor {
 /// Robust on edges and corners, where signs are those of angle-weighted pseudonormals. Triangles
 /// with area 0 and three different corners are allowed, but the sign at points nearest to one of
 /// them is not certain. Source: [Baerentzen2005].
-class SignedDistance {
+class COPPICE_EXPORT SignedDistance {
 public:
     /// `search` is over the triangles of `mesh`, which need not outlive the call. O(N log N), 42
     /// bytes a triangle. Throws Error(unsupported) naming the first edge if the mesh is not closed,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/export.h"
 #include "coppice/geom/primitive_set.h"
 
 #include <cstdint>
@@ -57,20 +58,20 @@ struct SamplerEntry {
 };
 
 /// All samplers; the first is the default.
-[[nodiscard]] std::span<const SamplerEntry> sampler_registry();
+[[nodiscard]] COPPICE_EXPORT std::span<const SamplerEntry> sampler_registry();
 
 /// The sampler of that name. Throws Error(invalid_argument) naming those that exist.
-[[nodiscard]] const Sampler& find_sampler(std::string_view name);
+[[nodiscard]] COPPICE_EXPORT const Sampler& find_sampler(std::string_view name);
 
 /// The sampler that the options ask for: their own, or that of the name. Throws like
 /// find_sampler().
-[[nodiscard]] const Sampler& sampler_of(const SampleOptions& options);
+[[nodiscard]] COPPICE_EXPORT const Sampler& sampler_of(const SampleOptions& options);
 
 /// Throws Error(invalid_argument) naming the first option outside its range.
-void require_valid(const SampleOptions& options);
+COPPICE_EXPORT void require_valid(const SampleOptions& options);
 
 /// The number of primitives a rate stands for: round(rate * count), at least 1 of any.
 /// Throws Error(invalid_argument) unless 0 < rate <= 1.
-[[nodiscard]] std::uint32_t sample_count(std::uint32_t count, double rate);
+[[nodiscard]] COPPICE_EXPORT std::uint32_t sample_count(std::uint32_t count, double rate);
 
 }  // namespace coppice::inline v0

@@ -2,6 +2,7 @@
 
 #include "coppice/builders/build_report.h"
 #include "coppice/builders/kd_options.h"
+#include "coppice/export.h"
 #include "coppice/query/point_search.h"
 
 #include <cstddef>
@@ -12,7 +13,7 @@
 namespace coppice::inline v0 {
 
 /// Points together with the k-d tree to search them. Queries are reentrant.
-class PointScene {
+class COPPICE_EXPORT PointScene {
 public:
     /// What searches are fastest with: the thesis's tree of points as it is after the refill, from
     /// a sample of one in 32, split in the middle.

@@ -3,6 +3,7 @@
 #include "coppice/builders/build_control.h"
 #include "coppice/builders/build_report.h"
 #include "coppice/builders/bvh8_options.h"
+#include "coppice/export.h"
 #include "coppice/geom/ray.h"
 #include "coppice/geom/triangle_mesh.h"
 #include "coppice/query/mesh_search.h"
@@ -19,7 +20,7 @@ namespace coppice::inline v0 {
 
 /// A mesh together with the 8-wide tree to trace and search it: all that most programs need.
 /// Queries are reentrant.
-class Scene {
+class COPPICE_EXPORT Scene {
 public:
     /// Takes over the mesh and builds its tree. Throws Error like build_bvh8().
     explicit Scene(TriangleMesh mesh, const Bvh8Options& options = {},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/export.h"
 #include "coppice/geom/point_cloud.h"
 #include "coppice/geom/triangle_mesh.h"
 
@@ -21,12 +22,13 @@ struct Fingerprint {
 };
 
 /// The fingerprint of a mesh. A bit that differs in any coordinate or index shows.
-[[nodiscard]] Fingerprint fingerprint_of(TriangleMeshView mesh);
+[[nodiscard]] COPPICE_EXPORT Fingerprint fingerprint_of(TriangleMeshView mesh);
 
 /// The fingerprint of points.
-[[nodiscard]] Fingerprint fingerprint_of(PointCloudView points);
+[[nodiscard]] COPPICE_EXPORT Fingerprint fingerprint_of(PointCloudView points);
 
 /// What is different, in words for an error: "871414 primitives, not 12"; "" for equal ones.
-[[nodiscard]] std::string difference(const Fingerprint& wanted, const Fingerprint& found);
+[[nodiscard]] COPPICE_EXPORT std::string difference(const Fingerprint& wanted,
+                                                    const Fingerprint& found);
 
 }  // namespace coppice::inline v0

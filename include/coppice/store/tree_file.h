@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/export.h"
 #include "coppice/store/fingerprint.h"
 #include "coppice/tree/bvh8.h"
 #include "coppice/tree/kd_tree.h"
@@ -34,11 +35,11 @@ struct SavedTree {
 /// Writes a tree and the fingerprint of its primitives to a file: under a temporary name, which is
 /// synchronized with the disk and then renamed, so that `file` is the old one or the whole new one.
 /// The same tree gives the same bytes. Throws Error(io).
-void save_tree(const std::filesystem::path& file, const KdTree& tree, const Fingerprint& primitives,
-               const TreeOrigin& origin = {});
+COPPICE_EXPORT void save_tree(const std::filesystem::path& file, const KdTree& tree,
+                              const Fingerprint& primitives, const TreeOrigin& origin = {});
 /// The same for an 8-wide tree.
-void save_tree(const std::filesystem::path& file, const Bvh8& tree, const Fingerprint& primitives,
-               const TreeOrigin& origin = {});
+COPPICE_EXPORT void save_tree(const std::filesystem::path& file, const Bvh8& tree,
+                              const Fingerprint& primitives, const TreeOrigin& origin = {});
 
 /// Maps a tree file into memory, verifies all checksums, and that no query can leave the arrays
 /// whatever they hold: indices, ranges, depth, ids. The tree keeps the mapping alive; the file may
@@ -46,10 +47,11 @@ void save_tree(const std::filesystem::path& file, const Bvh8& tree, const Finger
 /// read; parse if it is no tree file, truncated or damaged; unsupported if it is of another
 /// version, byte order or layout. What it does not do is compare the tree with its primitives:
 /// validate() does.
-[[nodiscard]] SavedTree load_tree(const std::filesystem::path& file);
+[[nodiscard]] COPPICE_EXPORT SavedTree load_tree(const std::filesystem::path& file);
 
 /// The same for given primitives. Throws Error(invalid_argument), too, if the tree was built for
 /// others.
-[[nodiscard]] SavedTree load_tree(const std::filesystem::path& file, const Fingerprint& primitives);
+[[nodiscard]] COPPICE_EXPORT SavedTree load_tree(const std::filesystem::path& file,
+                                                 const Fingerprint& primitives);
 
 }  // namespace coppice::inline v0

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "coppice/base/cpu.h"
+#include "coppice/export.h"
 #include "coppice/geom/ray.h"
 #include "coppice/trace/traversal_counts.h"
 #include "coppice/tree/bvh8.h"
@@ -18,7 +19,7 @@ struct TraceKernels;
 /// brute_force_intersect() to the bit, the lowest id of equally close ones included. Queries are
 /// reentrant and allocate nothing; those of single rays never throw. A ray that is not traceable
 /// hits nothing.
-class Bvh8Tracer {
+class COPPICE_EXPORT Bvh8Tracer {
 public:
     /// Keeps the tree's arrays alive. Throws Error(invalid_argument) like choose_isa().
     explicit Bvh8Tracer(Bvh8 tree);

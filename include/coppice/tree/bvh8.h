@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/export.h"
 #include "coppice/geom/aabb.h"
 #include "coppice/geom/triangle.h"
 
@@ -121,7 +122,7 @@ static_assert(sizeof(TriangleBlock) == 320);
 /// An immutable 8-wide bounding volume hierarchy over triangles, with a copy of their corners:
 /// what rays are traced against. Node 0 is the root; children follow their parents; the blocks of
 /// a leaf stand together. Copies share their arrays.
-class Bvh8 {
+class COPPICE_EXPORT Bvh8 {
 public:
     /// No node is deeper (the root's depth is 0), so that traversals do with a stack of fixed size.
     static constexpr int max_depth = 64;
@@ -156,6 +157,6 @@ private:
 };
 
 /// A node without children.
-[[nodiscard]] Bvh8Node make_empty_bvh8_node() noexcept;
+[[nodiscard]] COPPICE_EXPORT Bvh8Node make_empty_bvh8_node() noexcept;
 
 }  // namespace coppice::inline v0

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/export.h"
 #include "coppice/geom/aabb.h"
 #include "coppice/tree/kd_node.h"
 
@@ -16,7 +17,7 @@ namespace coppice::inline v0 {
 /// Order: node 0 is the root; siblings are adjacent; after a pair of siblings come all nodes below
 /// the lower one, then all below the upper one, so that children follow their parents. References
 /// stand leaf by leaf in depth-first order, ascending within a leaf. Copies share their arrays.
-class KdTree {
+class COPPICE_EXPORT KdTree {
 public:
     /// No leaf may be deeper, so that traversals do with a stack of fixed size.
     static constexpr int max_depth = 60;
@@ -79,7 +80,7 @@ private:
 
 /// A k-d tree whose leaves have been emptied: the planes stay, the references are gone. Made by
 /// empty_leaves(), filled again by refill().
-class Skeleton {
+class COPPICE_EXPORT Skeleton {
 public:
     /// Empties the leaves of a tree and frees its references.
     explicit Skeleton(KdTree&& tree);

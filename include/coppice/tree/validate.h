@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/export.h"
 #include "coppice/geom/primitive_set.h"
 #include "coppice/geom/triangle_mesh.h"
 #include "coppice/tree/bvh8.h"
@@ -31,7 +32,7 @@ enum class ValidationIssueKind {
 };
 
 /// The stable lower-case name of a kind of finding, e.g. "lost_primitive".
-[[nodiscard]] const char* finding_name(ValidationIssueKind kind) noexcept;
+[[nodiscard]] COPPICE_EXPORT const char* finding_name(ValidationIssueKind kind) noexcept;
 
 /// One thing wrong with a tree, in words, with what it is about: the id of a primitive for
 /// lost_primitive and bounds_too_small; the index of a reference of a k-d tree for
@@ -46,12 +47,14 @@ struct ValidationIssue {
 /// All that is wrong with a tree over `primitives`, at most `limit` findings; none for a sound
 /// tree. Cost: one descent of all primitives, O(N log N). Never throws on a malformed tree;
 /// throws Error(invalid_argument) for primitives that are not valid (PrimitiveSet).
-[[nodiscard]] std::vector<ValidationIssue> validate(const KdTree& tree, PrimitiveSetView primitives,
-                                                    std::size_t limit = 100);
+[[nodiscard]] COPPICE_EXPORT std::vector<ValidationIssue> validate(const KdTree& tree,
+                                                                   PrimitiveSetView primitives,
+                                                                   std::size_t limit = 100);
 
 /// The same for an 8-wide tree over the triangles of `mesh`. A triangle counts as lost unless its
 /// corners and the middle of its edges each lie in the box of a leaf that refers to it.
-[[nodiscard]] std::vector<ValidationIssue> validate(const Bvh8& tree, TriangleMeshView mesh,
-                                                    std::size_t limit = 100);
+[[nodiscard]] COPPICE_EXPORT std::vector<ValidationIssue> validate(const Bvh8& tree,
+                                                                   TriangleMeshView mesh,
+                                                                   std::size_t limit = 100);
 
 }  // namespace coppice::inline v0
