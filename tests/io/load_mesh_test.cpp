@@ -26,9 +26,11 @@ std::vector<Triangle> triangles_of(const TriangleMesh& mesh) {
 class LoadMeshFormat : public testing::TestWithParam<const char*> {};
 
 TEST_P(LoadMeshFormat, GivesTheSameTetrahedron) {
+    const std::string extension = GetParam();
+    const bool is_ours = extension == "obj" || extension == "ply" || extension == "off";
+    if (!is_ours && !can_load_scene_files()) GTEST_SKIP() << "built without Assimp";
     LoadReport report;
-    const TriangleMesh mesh =
-        load_mesh(data_file(std::string("tetrahedron.") + GetParam()), &report);
+    const TriangleMesh mesh = load_mesh(data_file("tetrahedron." + extension), &report);
     constexpr Vec3f o{0, 0, 0};
     constexpr Vec3f x{1, 0, 0};
     constexpr Vec3f y{0, 1, 0};
@@ -72,6 +74,7 @@ TEST(LoadMesh, FollowsSymbolicLinks) {
 }
 
 TEST(LoadMesh, RefusesEmptyFiles) {
+    if (!can_load_scene_files()) GTEST_SKIP() << "built without Assimp";
     for (const char* const name : {"a.obj", "a.ply", "a.stl", "a.gltf", "a.obj.gz", "a.ply.gz"}) {
         EXPECT_EQ(error_of(name, ""), std::string(name) + ": empty file");
     }
@@ -83,12 +86,13 @@ TEST(LoadMesh, RefusesEmptyFiles) {
 }
 
 TEST(LoadMesh, RefusesUnknownExtensions) {
-    EXPECT_EQ(error_of("a.xyz", "x", ErrorCode::unsupported),
-              "a.xyz: unknown mesh file extension '.xyz'");
+    const std::string error = error_of("a.xyz", "x", ErrorCode::unsupported);
+    EXPECT_THAT(error, StartsWith("a.xyz: unknown mesh file extension '.xyz'"));
+    EXPECT_EQ(error.find("Assimp") == std::string::npos, can_load_scene_files());
     EXPECT_EQ(error_of("a", "x", ErrorCode::unsupported),
               "a: the name has no extension, and it begins like none of OBJ, PLY and OFF");
-    EXPECT_EQ(error_of("a.stl.gz", gzipped("x"), ErrorCode::unsupported),
-              "a.stl.gz: unknown mesh file extension '.stl.gz'");
+    EXPECT_THAT(error_of("a.stl.gz", gzipped("x"), ErrorCode::unsupported),
+                StartsWith("a.stl.gz: unknown mesh file extension '.stl.gz'"));
 }
 
 TEST(LoadMesh, RefusesDamagedGzipFiles) {

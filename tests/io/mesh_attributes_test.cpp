@@ -112,6 +112,7 @@ TEST(MeshAttributes, OfPlyAreTheNormalsOfVertices) {
 }
 
 TEST(MeshAttributes, OfOtherFormatsComeFromAssimp) {
+    if (!can_load_scene_files()) GTEST_SKIP() << "built without Assimp";
     const MeshAttributes attributes =
         attributes_of(make_file("a.stl",
                                 "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
