@@ -260,7 +260,7 @@ TEST(TreeFile, AForgedKdTreeCannotLeadOutOfItsArrays) {
     const auto count = static_cast<std::uint32_t>(header.node_count);
     const std::string start = "tree.cpk: not a sound tree: ";
     EXPECT_EQ(error_with_root(KdNode::make_inner({}, PlanarSide::below, count - 1)),
-              start + "node 0 has the child " + std::to_string(count - 1) + " of " +
+              start + "node 0 has the child " + std::to_string(count) + " of " +
                   std::to_string(count) +
                   " nodes: out of range, not after its parent, or already used by another node");
     EXPECT_NE(error_with_root(KdNode::make_inner({}, PlanarSide::below, 0)), "");
