@@ -36,6 +36,11 @@ RETIRED = [
     (r"\bGrowth::|\benum class Growth\b", "LeafRefinement"),
     (r"\bArena\b", "DoubleBuffer"),
     (r"\b[Ss]top[ _-]looks?\b|\bStopLook\b", "cancellation, CancellationPoll"),
+    (r"\.(?:growth|counting)\b(?!\()", "leaf_refinement, sample_weighting"),
+    (
+        r"^(?:struct|class|enum class) (?:Stop|Split|Plane|Finding|Estimate)\b",
+        "Termination, SplitCandidate, SplitPlane, ValidationIssue, BuildEstimate",
+    ),
     # Arithmetic and files.
     (r"\b[Tt]wofolds?\b", "double-double"),
     (r"\bexact[ _]sums?\b|\bExactSum\b", "expansion"),

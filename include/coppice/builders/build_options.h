@@ -22,11 +22,22 @@ using BuildOptions = std::variant<KdOptions, Bvh8Options>;
 
 // What both kinds have.
 
+/// How the sample is drawn.
 [[nodiscard]] COPPICE_EXPORT const SampleOptions& sample_of(const BuildOptions& options) noexcept;
+
+/// How the sample is drawn, to change it.
 [[nodiscard]] COPPICE_EXPORT SampleOptions& sample_of(BuildOptions& options) noexcept;
+
+/// The costs that the finished tree is measured by.
 [[nodiscard]] COPPICE_EXPORT const SahCostModel& cost_of(const BuildOptions& options) noexcept;
+
+/// The costs that the finished tree is measured by, to change them.
 [[nodiscard]] COPPICE_EXPORT SahCostModel& cost_of(BuildOptions& options) noexcept;
+
+/// The limit on threads; 0 for all that the process may use.
 [[nodiscard]] COPPICE_EXPORT int threads_of(const BuildOptions& options) noexcept;
+
+/// Limits the threads; 0 for all that the process may use.
 COPPICE_EXPORT void set_threads(BuildOptions& options, int threads) noexcept;
 
 }  // namespace coppice::inline v0

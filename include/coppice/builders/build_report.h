@@ -77,6 +77,8 @@ struct BuildReport {
 /// ask for. What is left at its default is not asked for.
 [[nodiscard]] COPPICE_EXPORT std::vector<BuildNote> notes_on(const KdOptions& options,
                                                              std::uint32_t primitive_count);
+
+/// The same for the 8-wide tree.
 [[nodiscard]] COPPICE_EXPORT std::vector<BuildNote> notes_on(const Bvh8Options& options,
                                                              std::uint32_t primitive_count);
 
