@@ -55,9 +55,9 @@ TEST(KdOptions, NamesWhatIsOutside) {
 
 TEST(KdOptions, NamesWhatExists) {
     EXPECT_THAT(error_of({.sample = {.sampler = "best"}}),
-                StartsWith("no sampler 'best'; there are: uniform"));
+                StartsWith("unknown sampler 'best'; choose one of: uniform"));
     EXPECT_THAT(error_of({.split = {.rule = "best"}}),
-                StartsWith("no split rule 'best'; there are: sah, median, midpoint"));
+                StartsWith("unknown split rule 'best'; choose one of: sah, median, midpoint"));
 }
 
 TEST(KdOptions, EnumeratorsHaveStableNames) {
