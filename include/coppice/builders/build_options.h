@@ -8,24 +8,30 @@
 
 namespace coppice::inline v0 {
 
-/// Which tree is built, and so by which function: build_kd_tree() or build_bvh8().
+/// The kind of tree: `kd` is built by build_kd_tree(), `bvh8` by build_bvh8().
 enum class TreeKind : std::uint8_t { kd, bvh8 };
 
-/// The options of either builder, for programs that choose it at run time.
+/// The options of either builder, for programs that choose the builder at run time.
 using BuildOptions = std::variant<KdOptions, Bvh8Options>;
 
-/// The kind of tree that the options are for.
+/// The kind of tree that the options describe.
 [[nodiscard]] inline TreeKind tree_kind(const BuildOptions& options) noexcept {
     return std::holds_alternative<KdOptions>(options) ? TreeKind::kd : TreeKind::bvh8;
 }
 
-// What both kinds have.
+// Access to the options that both kinds have.
 
+/// The sampling options of either kind.
 [[nodiscard]] const SampleOptions& sample_of(const BuildOptions& options) noexcept;
+/// The sampling options of either kind, to be modified.
 [[nodiscard]] SampleOptions& sample_of(BuildOptions& options) noexcept;
+/// The cost model of either kind.
 [[nodiscard]] const SahCostModel& cost_of(const BuildOptions& options) noexcept;
+/// The cost model of either kind, to be modified.
 [[nodiscard]] SahCostModel& cost_of(BuildOptions& options) noexcept;
+/// The greatest number of threads; 0 = all hardware threads.
 [[nodiscard]] int threads_of(const BuildOptions& options) noexcept;
+/// Sets the greatest number of threads; 0 = all hardware threads.
 void set_threads(BuildOptions& options, int threads) noexcept;
 
 }  // namespace coppice::inline v0

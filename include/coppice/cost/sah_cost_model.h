@@ -13,9 +13,9 @@ struct SahCostModel {
     double traversal = 1.0;     ///< cost of one inner node; >= 0
     double intersection = 1.0;  ///< cost of one primitive; > 0
     double empty_bonus = 0.5;   ///< share by which an empty side reduces a split's cost; [0, 1)
-    std::shared_ptr<const CostModel> custom = {};  ///< one of your own, instead of the constants
+    std::shared_ptr<const CostModel> custom = {};  ///< a model of your own, replaces the constants
 
-    /// The cost of passing one inner node.
+    /// The cost of one inner node for a ray that meets it.
     [[nodiscard]] double traversal_cost() const noexcept {
         return custom ? custom->traversal_cost() : traversal;
     }

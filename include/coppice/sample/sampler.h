@@ -21,15 +21,15 @@ struct SampleOptions {
     double uniform_share = 0.5;       ///< `weighted` only: the part of the inclusion probability
                                       ///< that is the same for all primitives, in [0, 1]; less than
                                       ///< 2^-20 counts as 2^-20, so that each can be drawn
-    std::shared_ptr<const Sampler> custom_sampler = {};  ///< one of your own, instead of `sampler`
+    std::shared_ptr<const Sampler> custom_sampler = {};  ///< your own, instead of `sampler`
 };
 
 /// A sample of a primitive set.
 struct Sample {
     std::vector<std::uint32_t> ids;  ///< ids of the drawn primitives, distinct, ascending
-    std::vector<float> weights;  ///< number of primitives that each stands for: 1 / p, for its
-                                 ///< inclusion probability p; empty if all weights are equal
-    SampleOptions options;       ///< options it was drawn with
+    std::vector<float> weights;      ///< number of primitives that each stands for: 1 / p, for its
+                                     ///< inclusion probability p; empty if all weights are equal
+    SampleOptions options;           ///< options it was drawn with
 };
 
 /// Interface of samplers. Stateless; draw() is called once per build.
@@ -46,7 +46,7 @@ public:
     [[nodiscard]] virtual Sample draw(PrimitiveSetView primitives, std::uint32_t count,
                                       const SampleOptions& options) const = 0;
 
-    /// False if SampleOptions::uniform_share means nothing to it.
+    /// False if the sampler ignores SampleOptions::uniform_share.
     [[nodiscard]] virtual bool uses_uniform_share() const noexcept { return true; }
 };
 
@@ -64,8 +64,8 @@ struct SamplerEntry {
 /// there is none.
 [[nodiscard]] const Sampler& find_sampler(std::string_view name);
 
-/// The sampler that the options ask for: their own, or that of the name. Throws like
-/// find_sampler().
+/// The sampler of the options: `custom_sampler` if set, else the one called `sampler`. Throws as
+/// find_sampler() does.
 [[nodiscard]] const Sampler& sampler_of(const SampleOptions& options);
 
 /// Throws Error(invalid_argument) naming the first option outside its range.
