@@ -1,5 +1,5 @@
-// Which of the options asked for have no effect on a build, and why: for its report. An option
-// counts as asked for if it is not at its default.
+// Finds the options that have no effect on a build, with the reason, for the build's report. Only
+// options that differ from their defaults are considered.
 
 #include "coppice/builders/build_report.h"
 #include "coppice/builders/split_finder.h"
@@ -18,7 +18,7 @@ namespace {
 
 class Notes {
 public:
-    // `is_vain`: the option was asked for and has no effect.
+    // Adds a note if `is_vain`: the option differs from its default and has no effect.
     void add(bool is_vain, std::string_view option, std::string reason) {
         if (is_vain) notes_.push_back({std::string(option), std::move(reason)});
     }
@@ -29,7 +29,7 @@ private:
     std::vector<BuildNote> notes_;
 };
 
-// How a sample is drawn, where none is: `reason` says why.
+// Notes on sampling options of a build that draws no sample, for the given reason.
 void add_sample_notes(const SampleOptions& sample, bool has_preset_sampler,
                       const std::string& reason, Notes& notes) {
     const SampleOptions usual;
@@ -40,7 +40,7 @@ void add_sample_notes(const SampleOptions& sample, bool has_preset_sampler,
     notes.add(sample.uniform_share != usual.uniform_share, "sample.uniform_share", reason);
 }
 
-// Of a sample that is drawn.
+// Notes on sampling options of a build that draws a sample.
 void add_sampler_notes(const SampleOptions& sample, Notes& notes) {
     const SampleOptions usual;
     notes.add(sample.custom_sampler != nullptr && sample.sampler != usual.sampler, "sample.sampler",

@@ -10,7 +10,7 @@
 namespace coppice::inline v0 {
 namespace {
 
-// What samplers of the library do by construction.
+// Checks the contract of a custom sampler. The library's own samplers satisfy it by construction.
 void require_sound(const Sample& sample, std::uint32_t primitive_count) {
     const auto fail = [](const std::string& what) {
         throw Error(ErrorCode::invalid_argument, "the custom sampler " + what);
