@@ -189,7 +189,7 @@ std::vector<Range> fill_cells(const ObjectTop& top, std::span<PrimRef> from,
         for (PrimRef& prim_ref : from.subspan(begin, end - begin)) {
             shortcuts.find(prim_ref, place);
             const std::uint32_t cell = place.cell;
-            prim_ref.weight = std::bit_cast<float>(cell);  // holds the cell until the PrimRef is copied
+            prim_ref.weight = std::bit_cast<float>(cell);  // until it is copied
             ++counts[cell];
         }
     });

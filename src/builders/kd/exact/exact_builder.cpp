@@ -35,7 +35,7 @@ TreePart ExactBuilder::build(std::vector<PrimRef> prim_refs, const NodeState& no
 TreePart ExactBuilder::build_node(ExactNode node, NodeState state, WorkShare work) const {
     const std::size_t count = node.prim_refs.size();
     if (count < parallel_prim_ref_count && work.is_asked_for()) {
-        TreePart part = build_node(std::move(node), state, {});  // small subtrees report no progress of their own
+        TreePart part = build_node(std::move(node), state, {});  // small: reported when done
         work.done();
         return part;
     }
