@@ -53,7 +53,8 @@ TEST(LoadMesh, RefusesWhatIsNoFile) {
         EXPECT_EQ(error_of_file(folder / (std::string("a.") + extension), ErrorCode::io),
                   std::string("a.") + extension + ": no such file");
     }
-    EXPECT_EQ(error_of_file(folder / "folder.obj", ErrorCode::io), "folder.obj: is a directory");
+    EXPECT_EQ(error_of_file(folder / "folder.obj", ErrorCode::io),
+              "folder.obj: is a directory, not a file");
     EXPECT_EQ(error_of_file(folder / "pipe.obj", ErrorCode::io), "pipe.obj: not a regular file");
     EXPECT_EQ(error_of_file("/dev/zero", ErrorCode::io), "zero: not a regular file");
 }
@@ -86,7 +87,8 @@ TEST(LoadMesh, RefusesUnknownExtensions) {
     EXPECT_EQ(error_of("a.xyz", "x", ErrorCode::unsupported),
               "a.xyz: unknown mesh file extension '.xyz'");
     EXPECT_EQ(error_of("a", "x", ErrorCode::unsupported),
-              "a: the name has no extension, and it begins like none of OBJ, PLY and OFF");
+              "a: the name has no extension, and the contents are not OBJ, PLY or OFF: add the "
+              "extension");
     EXPECT_EQ(error_of("a.stl.gz", gzipped("x"), ErrorCode::unsupported),
               "a.stl.gz: unknown mesh file extension '.stl.gz'");
 }
