@@ -105,7 +105,8 @@ void expect_refusal(Build&& build, std::uint32_t id) {
     try {
         static_cast<void>(build());
     } catch (const Error& error) {
-        const std::string what = "primitive " + std::to_string(id) + " has no finite box";
+        const std::string what =
+            "primitive " + std::to_string(id) + " has a box that is not finite: fix or remove it";
         if (error.what() == what) return;
         std::fprintf(stderr, "found: %s\n", error.what());
     }

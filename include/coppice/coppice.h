@@ -1,7 +1,7 @@
 #pragma once
 
-// What most programs need. Stages of the k-d pipeline, split rules and other parts have headers of
-// their own: coppice/builders/refill.h and the like.
+// What most programs need. The stages of the k-d pipeline, split rules and other parts have headers
+// of their own, such as coppice/builders/refill.h.
 
 #include "coppice/base/error.h"
 #include "coppice/builders/build_control.h"

@@ -16,7 +16,7 @@ constexpr std::size_t cache_line = 64;
 constexpr std::size_t small_page = 4096;
 constexpr std::size_t huge_page = std::size_t{2} << 20U;
 
-// No address space has more, and rounding it up does not overflow.
+// No address space is larger, and rounding up a smaller size does not overflow.
 constexpr std::size_t most_bytes = SIZE_MAX / 4;
 
 constexpr std::size_t round_up(std::size_t size, std::size_t unit) noexcept {
@@ -27,21 +27,21 @@ constexpr std::size_t round_up(std::size_t size, std::size_t unit) noexcept {
 
 BigBuffer::BigBuffer(std::size_t byte_count) : byte_count_(byte_count) {
     if (byte_count > most_bytes) throw std::bad_alloc();
-    // Below two huge pages the rest of the last one would weigh too much.
+    // For smaller blocks, the unused rest of the last huge page would waste too much memory.
     const bool is_huge = byte_count >= 2 * huge_page;
     const std::size_t alignment = is_huge ? huge_page : cache_line;
     const std::size_t padded = round_up(std::max(byte_count, cache_line), alignment);
     bytes_.reset(static_cast<std::byte*>(std::aligned_alloc(alignment, padded)));
     if (!bytes_) throw std::bad_alloc();
 #if defined(__linux__)
-    if (is_huge) madvise(bytes_.get(), padded, MADV_HUGEPAGE);  // a wish: it may fail
+    if (is_huge) madvise(bytes_.get(), padded, MADV_HUGEPAGE);  // a hint: failure does not matter
 #endif
 }
 
 void BigBuffer::shrink(std::size_t byte_count) {
     if (byte_count >= byte_count_) return;
 #if defined(__linux__)
-    if (byte_count_ >= 2 * huge_page) {  // else it may share its last page with others
+    if (byte_count_ >= 2 * huge_page) {  // smaller blocks may share their last page with others
         const std::size_t kept = round_up(byte_count, small_page);
         const std::size_t end = round_up(byte_count_, huge_page);
         madvise(bytes_.get() + kept, end - kept, MADV_DONTNEED);

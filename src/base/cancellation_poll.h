@@ -6,10 +6,11 @@
 
 namespace coppice::inline v0 {
 
-/// Looks for a stop now and then in a long loop of one task.
+/// Checks for cancellation at intervals in a long loop of one task.
 class CancellationPoll {
 public:
-    /// Before or after the step of that number; throw_if_cancelled() once in 65,536 steps.
+    /// Call it once for each step, with the step's number. Calls throw_if_cancelled() once in
+    /// 65,536 steps.
     void at(std::size_t step) {
         if (step < next_) return;
         next_ = step + steps;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array all_isas{Isa::scalar, Isa::sse42, Isa::avx2, Isa::avx512};
 
-// How many of all_isas this processor has.
+// The number of entries of all_isas that this processor supports.
 std::size_t count_isas() noexcept {
 #if defined(__x86_64__)
     if (__builtin_cpu_supports("sse4.2") == 0) return 1;
@@ -29,7 +29,7 @@ std::size_t count_isas() noexcept {
 #endif
 }
 
-// In lower case and without dots: SSE42 is sse4.2.
+// The name in lower case without dots: "SSE4.2" becomes "sse42".
 std::string plain(std::string_view name) {
     std::string text;
     for (const char c : name) {
@@ -70,7 +70,7 @@ Isa choose_isa() {
     }
     throw Error(
         ErrorCode::invalid_argument,
-        fmt::format("COPPICE_ISA is '{}'; this processor has: {}", wanted, fmt::join(names, ", ")));
+        fmt::format("COPPICE_ISA is '{}'; set it to one of: {}", wanted, fmt::join(names, ", ")));
 }
 
 }  // namespace coppice::inline v0

@@ -6,9 +6,10 @@
 
 namespace coppice::inline v0 {
 
-/// What oneTBB guarantees, for the thread sanitizer, which does not see into its library: all that
-/// was done before a fork happens before its tasks, and all that its tasks did before those who
-/// wait for them go on. Between two tasks it says nothing. Compiles to nothing elsewhere.
+/// Tells the thread sanitizer what oneTBB guarantees, because the sanitizer cannot see into the
+/// library. All that was done before the fork happens before the tasks. All that the tasks did
+/// happens before the code that waits for them continues. Nothing is said about the order of two
+/// tasks. Without the thread sanitizer it compiles to nothing.
 class ForkJoin {
 public:
     ForkJoin() noexcept { release(&fork_); }
@@ -18,7 +19,7 @@ public:
 
     ~ForkJoin() { acquire(&join_); }
 
-    /// Lives as long as a task works.
+    /// Create one at the start of each task; it must live until the task ends.
     class Task {
     public:
         explicit Task(ForkJoin& of) noexcept : of_(of) { acquire(&of_.fork_); }
@@ -47,7 +48,7 @@ private:
     static void release(char* /*mark*/) noexcept {}
 #endif
 
-    char fork_ = 0;  // their addresses are what counts
+    char fork_ = 0;  // only the addresses matter
     char join_ = 0;
 };
 

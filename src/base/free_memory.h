@@ -4,7 +4,7 @@
 
 namespace coppice::inline v0 {
 
-/// Gives back what an array has allocated, which clear() and `array = {}` both keep.
+/// Frees the memory of an array. Neither clear() nor `array = {}` does: both keep the capacity.
 template <typename T>
 void free_memory(std::vector<T>& array) noexcept {
     std::vector<T>().swap(array);

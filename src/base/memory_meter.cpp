@@ -4,7 +4,7 @@
 
 namespace coppice::inline v0 {
 
-// Not from getrusage(): its figure is at least that of the program that started this one.
+// Not from getrusage(): its figure includes the peak of the program that started this process.
 std::uint64_t process_peak_bytes() noexcept {
     std::FILE* const status = std::fopen("/proc/self/status", "re");
     if (status == nullptr) return 0;

@@ -8,9 +8,9 @@
 
 namespace coppice::inline v0 {
 
-/// Runs work at a door of the library: what lacks memory becomes Error(out_of_memory), whose
-/// message begins with `what`, a text or the path of a file. Should there be none even for that, it
-/// stays std::bad_alloc.
+/// Runs `work` at an entry point of the library and turns std::bad_alloc into Error(out_of_memory).
+/// Its message starts with `what`, a text or the path of a file. If there is no memory even for the
+/// message, std::bad_alloc is thrown.
 template <typename What, typename Work>
 decltype(auto) with_memory_errors(const What& what, Work&& work) {
     try {

@@ -10,8 +10,8 @@ namespace coppice::inline v0 {
 
 void require_thread_count(int thread_count) {
     if (thread_count >= 0) return;
-    throw Error(ErrorCode::invalid_argument, "threads " + std::to_string(thread_count) +
-                                                 " is negative; 0 stands for all there are");
+    throw Error(ErrorCode::invalid_argument,
+                "threads must be 0 (all) or more, not " + std::to_string(thread_count));
 }
 
 }  // namespace coppice::inline v0

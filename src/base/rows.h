@@ -10,11 +10,11 @@
 
 namespace coppice::inline v0 {
 
-/// The length of the rows that `room` results for `count` queries make. Throws
-/// Error(invalid_argument) naming the `query` if the room cannot be divided evenly.
+/// The number of results per query (the length of a row) if `count` queries share `room` results.
+/// Throws Error(invalid_argument) naming `query` if `room` is not a multiple of `count`.
 [[nodiscard]] std::size_t row_length(std::string_view query, std::size_t count, std::size_t room);
 
-/// Calls `run(i, row)` for the row of every query.
+/// Calls `run(i, row)` for every query i and its row.
 template <typename Found, typename Run>
 void for_each_row(std::string_view query, std::size_t count, std::span<Found> found, int threads,
                   const Run& run) {
@@ -22,8 +22,8 @@ void for_each_row(std::string_view query, std::size_t count, std::span<Found> fo
     for_each_query(count, threads, [&](std::size_t i) { run(i, found.subspan(i * room, room)); });
 }
 
-/// Calls `fill(i, row)`, which returns how many it found, for the row of every query, and fills the
-/// rows up with default values.
+/// Calls `fill(i, row)` for every query i. `fill` returns the number of results it wrote; the rest
+/// of the row is filled with default values.
 template <typename Found, typename Fill>
 void fill_rows(std::string_view query, std::size_t count, std::span<Found> found, int threads,
                const Fill& fill) {
@@ -33,8 +33,8 @@ void fill_rows(std::string_view query, std::size_t count, std::span<Found> found
     });
 }
 
-/// Calls `visit_all(i, visit)`, which calls `visit` with all it finds, for every query; counts them
-/// and writes them into the query's row as long as there is room.
+/// Calls `visit_all(i, visit)` for every query i, which calls `visit` for each of its results.
+/// Counts the results and writes the first of them into the query's row, as many as fit.
 template <typename Found, typename VisitAll>
 void write_rows(std::string_view query, std::span<Found> found, std::span<std::size_t> counts,
                 int threads, const VisitAll& visit_all) {

@@ -1,5 +1,5 @@
-// Which of the options asked for have no effect on a build, and why: for its report. An option
-// counts as asked for if it is not at its default.
+// Finds the options that have no effect on a build, with the reason, for the build's report. Only
+// options that differ from their defaults are considered.
 
 #include "coppice/builders/build_report.h"
 #include "coppice/builders/split_finder.h"
@@ -18,7 +18,7 @@ namespace {
 
 class Notes {
 public:
-    // `is_vain`: the option was asked for and has no effect.
+    // Adds a note if `is_vain`: the option differs from its default and has no effect.
     void add(bool is_vain, std::string_view option, std::string reason) {
         if (is_vain) notes_.push_back({std::string(option), std::move(reason)});
     }
@@ -29,7 +29,7 @@ private:
     std::vector<BuildNote> notes_;
 };
 
-// How a sample is drawn, where none is: `reason` says why.
+// Notes on sampling options of a build that draws no sample, for the given reason.
 void add_sample_notes(const SampleOptions& sample, bool has_preset_sampler,
                       const std::string& reason, Notes& notes) {
     const SampleOptions usual;
@@ -40,20 +40,20 @@ void add_sample_notes(const SampleOptions& sample, bool has_preset_sampler,
     notes.add(sample.uniform_share != usual.uniform_share, "sample.uniform_share", reason);
 }
 
-// Of a sample that is drawn.
+// Notes on sampling options of a build that draws a sample.
 void add_sampler_notes(const SampleOptions& sample, Notes& notes) {
     const SampleOptions usual;
     notes.add(sample.custom_sampler != nullptr && sample.sampler != usual.sampler, "sample.sampler",
-              "sample.custom_sampler is taken instead");
+              "replaced by sample.custom_sampler");
     notes.add(
         sample.uniform_share != usual.uniform_share && !sampler_of(sample).uses_uniform_share(),
-        "sample.uniform_share", fmt::format("the sampler {} has no use for it", sample.sampler));
+        "sample.uniform_share", fmt::format("the sampler {} does not use it", sample.sampler));
 }
 
 void add_cost_notes(const SahCostModel& cost, Notes& notes) {
     if (!cost.custom) return;
     const SahCostModel usual;
-    const char* const reason = "cost.custom is taken instead";
+    const char* const reason = "replaced by cost.custom";
     notes.add(cost.traversal != usual.traversal, "cost.traversal", reason);
     notes.add(cost.intersection != usual.intersection, "cost.intersection", reason);
     notes.add(cost.empty_bonus != usual.empty_bonus, "cost.empty_bonus", reason);
@@ -63,17 +63,17 @@ void add_split_notes(const KdOptions& options, bool is_sampled, Notes& notes) {
     const SplitOptions& split = options.split;
     const SplitOptions usual;
     notes.add(split.custom_rule != nullptr && split.rule != usual.rule, "split.rule",
-              "split.custom_rule is taken instead");
+              "replaced by split.custom_rule");
     notes.add(split.sample_weighting != usual.sample_weighting && !is_sampled,
-              "split.sample_weighting", "all primitives are taken, and each stands for itself");
+              "split.sample_weighting",
+              "no sample is drawn: all primitives are used with weight 1");
     if (split.termination == Termination::sah) {
-        const char* const reason = "where termination is sah, splits go on as long as they pay";
+        const char* const reason =
+            "not used with termination sah, which splits while a split lowers the cost";
         notes.add(split.max_leaf != usual.max_leaf, "split.max_leaf", reason);
         notes.add(split.bad_refines != usual.bad_refines, "split.bad_refines", reason);
     } else if (options.leaf_refinement == LeafRefinement::none) {
-        const char* const reason =
-            "it is for splits that go on as long as they pay: where termination is sah, or the "
-            "leaves are refined";
+        const char* const reason = "used only with termination sah or with leaf refinement";
         notes.add(split.min_split != usual.min_split, "split.min_split", reason);
         notes.add(split.max_duplication != usual.max_duplication, "split.max_duplication", reason);
     }
@@ -89,9 +89,10 @@ std::vector<BuildNote> notes_on(const KdOptions& options, std::uint32_t primitiv
     } else {
         const bool is_asked_for = options.sample.rate < 1.0;
         notes.add(is_asked_for, "sample.rate",
-                  fmt::format("{} of {} primitives is all of them", options.sample.rate,
+                  fmt::format("a rate of {} selects all of {} primitives", options.sample.rate,
                               primitive_count));
-        add_sample_notes(options.sample, false, "all primitives are taken", notes);
+        add_sample_notes(options.sample, false, "no sample is drawn: all primitives are used",
+                         notes);
     }
     add_split_notes(options, is_sampled, notes);
     add_cost_notes(options.cost, notes);
@@ -105,11 +106,11 @@ std::vector<BuildNote> notes_on(const Bvh8Options& options, std::uint32_t primit
     const bool is_small = primitive_count < options.sampled_from;
     const bool is_sampled = plan.sampling.rate < 1.0;
     notes.add(options.sample.rate < 1.0 && is_small, "sample.rate",
-              fmt::format("the scene has {} triangles, and those of fewer than {} are not sampled "
+              fmt::format("the scene has {} triangles; scenes of fewer than {} are not sampled "
                           "(sampled_from)",
                           primitive_count, options.sampled_from));
     if (!is_sampled) {
-        add_sample_notes(options.sample, true, "all triangles are taken", notes);
+        add_sample_notes(options.sample, true, "no sample is drawn: all triangles are used", notes);
         const bool would_be = bvh8::make_plan(options, options.sampled_from).sampling.rate < 1.0;
         notes.add(options.sampled_from != usual.sampled_from && !would_be, "sampled_from",
                   "at a sample rate of 1 no scene is sampled");
@@ -118,16 +119,16 @@ std::vector<BuildNote> notes_on(const Bvh8Options& options, std::uint32_t primit
     } else if (options.sample.rate == 1.0) {
         const bool is_preset = options.sample.sampler == plan.sampling.sampler;
         notes.add(!is_preset && options.sample.sampler != usual.sample.sampler, "sample.sampler",
-                  fmt::format("at a rate of 1 the preset {} takes its own sample: {}",
+                  fmt::format("at a sample rate of 1 the preset {} draws its own sample ({})",
                               name_of(options.preset), plan.sampling.sampler));
     } else {
         add_sampler_notes(options.sample, notes);
     }
     notes.add(
         options.expected_rays != usual.expected_rays && options.preset != Bvh8Preset::automatic,
-        "expected_rays", "only the preset automatic goes by it");
+        "expected_rays", "only the preset automatic uses it");
     notes.add(options.cost.empty_bonus != usual.cost.empty_bonus && !options.cost.custom,
-              "cost.empty_bonus", "8-wide trees are built by constants of their own");
+              "cost.empty_bonus", "8-wide trees are built with fixed cost constants");
     add_cost_notes(options.cost, notes);
     return std::move(notes).take();
 }

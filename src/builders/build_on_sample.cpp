@@ -1,9 +1,8 @@
-// Top-down construction of the k-d tree over the sample. At each node the split rule offers a
-// plane; a node becomes a leaf when it has few enough primitives, at the depth limit, when no plane
-// is offered, or after the allowed number of splits that do not pay. The rule `sah` sorts events
-// anew in every node: O(N log^2 N), simple, and what the thesis timed; see KdBuilder for the
-// recursion. A rule that finds the cheapest end
-// has a builder of its own, which gives the same tree sooner.
+// Top-down construction of the k-d tree over the sample. At each node the split rule proposes a
+// plane. A node becomes a leaf if it has few enough primitives, at the depth limit, if the rule
+// finds no plane, or after the allowed number of splits that do not pay. The rule `sah` sorts
+// events anew in every node: O(N log^2 N), simple, and what the thesis measured. KdBuilder has the
+// recursion. For rules that find the cheapest end, ExactBuilder gives the same tree sooner.
 // Source: [Tsiompikas2022] sec. 4.3.1, [Pharr2016] sec. 4.4.
 
 #include "coppice/builders/build_on_sample.h"
@@ -22,13 +21,13 @@
 namespace coppice::inline v0 {
 namespace {
 
-// Sums of multiples of 1/256 are exact in double: counts do not depend on the order of PrimRefs,
-// and an empty side counts nothing.
+// Weights are rounded to multiples of 1/256. Their sums are exact in double, so that they do not
+// depend on the order of PrimRefs, and the weight of an empty side is exactly 0.
 float rounded_weight(double weight) {
     return static_cast<float>(std::max(256.0, std::round(256.0 * weight)) / 256.0);
 }
 
-// What the sampled primitive at an index counts.
+// The weight of the sampled primitive at an index.
 float weight_at(const Sample& sample, std::size_t index, SampleWeighting sample_weighting) {
     if (sample_weighting == SampleWeighting::sampled) return 1.0F;
     return rounded_weight(sample.weights.empty() ? 1.0 / sample.options.rate

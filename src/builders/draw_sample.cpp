@@ -10,22 +10,22 @@
 namespace coppice::inline v0 {
 namespace {
 
-// What samplers of the library do by construction.
+// Checks the contract of a custom sampler. The library's own samplers satisfy it by construction.
 void require_sound(const Sample& sample, std::uint32_t primitive_count) {
     const auto fail = [](const std::string& what) {
         throw Error(ErrorCode::invalid_argument, "the custom sampler " + what);
     };
-    if (sample.ids.empty()) fail("drew nothing");
+    if (sample.ids.empty()) fail("drew no primitives");
     if (sample.ids.back() >= primitive_count) {
-        fail("drew primitive " + std::to_string(sample.ids.back()) + " of " +
-             std::to_string(primitive_count));
+        fail("drew id " + std::to_string(sample.ids.back()) + ", but there are " +
+             std::to_string(primitive_count) + " primitives");
     }
     if (std::adjacent_find(sample.ids.begin(), sample.ids.end(), std::greater_equal<>()) !=
         sample.ids.end()) {
-        fail("drew ids that do not ascend");
+        fail("drew ids that are not strictly ascending");
     }
     if (!sample.weights.empty() && sample.weights.size() != sample.ids.size()) {
-        fail("gave " + std::to_string(sample.weights.size()) + " weights for " +
+        fail("returned " + std::to_string(sample.weights.size()) + " weights for " +
              std::to_string(sample.ids.size()) + " primitives");
     }
 }

@@ -1,12 +1,14 @@
-// What a build will come to is found out by building a part of it: a sixteenth of the scene, in
-// pieces from all over it, and a quarter of that again, by the very builder in question, so that
-// nothing about any builder need be known here. Counts and bytes grow with the share probed.
-// Seconds grow a little faster, as n (a + b log2 n): the two sizes give b. Each probe is
-// built twice and the faster build counts, since the first of a process is slower than all others
-// and a short one is easily disturbed; but the build to come touches its memory for the first time,
-// and what that takes is measured on an eighth of it. Cost: about a fifth of the build of a k-d
-// tree, up to half of that of an 8-wide tree. Error: what the pieces differ from the rest of
-// the scene, and for the seconds the noise of the machine.
+// Estimates a build by building a part of the scene with the same builder, so that nothing here
+// depends on how a builder works. The part is a sixteenth of the scene, in pieces spread over all
+// of it, and then a quarter of that part. Counts and bytes are extrapolated in proportion to the
+// share. Seconds grow as n (a + b log2 n); the two sizes give b. Each part is built twice, and the
+// faster build counts: the first build of a process is slower, and short ones are easily disturbed.
+// The real build touches its memory for the first time, however; that cost is measured on an eighth
+// of it.
+//
+// Cost: about a fifth of the build of a k-d tree, up to half of that of an 8-wide tree. Error: the
+// difference between the pieces and the rest of the scene, and for the seconds the noise of the
+// machine.
 
 #include "coppice/builders/estimate.h"
 
@@ -30,32 +32,32 @@ namespace coppice::inline v0 {
 namespace {
 
 constexpr std::uint32_t most_pieces = 1024;
-constexpr std::uint32_t piece_size = 1024;  // or more, in large scenes: smaller ones are all border
-constexpr std::uint32_t one_in = 16;        // of them is probed
-constexpr std::uint32_t thinned_to = 4;     // one in so many of these
+constexpr std::uint32_t piece_size = 1024;  // at least; smaller pieces are mostly border
+constexpr std::uint32_t one_in = 16;        // share of the pieces that is probed
+constexpr std::uint32_t thinned_to = 4;     // share of the probed pieces for the smaller probe
 
-// A scene of fewer primitives is probed as a whole: it would leave too little to judge by.
+// Smaller scenes are probed as a whole: a part of them would be too small to extrapolate from.
 constexpr std::uint32_t least_primitives = 16384;
 
 struct ProbeBuild {
-    double size;  // in primitives of the whole scene: its share of them
+    double size;  // primitives of the scene that the probe stands for
     BuildReport report;
 
     [[nodiscard]] double seconds() const noexcept { return report.stages.wall_seconds(); }
 };
 
-// Seconds a primitive in a scene `scale` times the larger one, from those of two sizes.
+// Seconds per primitive in a scene `scale` times as large as the larger probe.
 double extrapolated_seconds(const ProbeBuild& smaller, const ProbeBuild& larger, double scale) {
     const double at_larger = larger.seconds() / larger.size;
     if (!(smaller.size > 0.0) || !(larger.size > smaller.size)) return at_larger;
     const double slope =
         (at_larger - smaller.seconds() / smaller.size) / std::log2(larger.size / smaller.size);
-    // Between time by number alone and time by number and depth alone; the rest is noise.
+    // The slope is between 0 (time proportional to n) and that of n log n; anything else is noise.
     const double steepest = at_larger / std::log2(larger.size);
     return at_larger + std::clamp(slope, 0.0, steepest) * std::log2(scale);
 }
 
-// Seconds a byte, the first time that memory is touched.
+// Seconds per byte to touch memory for the first time.
 double touch_seconds(double byte_count) {
     constexpr std::size_t page_bytes = 4096;
     constexpr std::size_t most_bytes = std::size_t{64} << 20;
@@ -84,7 +86,7 @@ BuildEstimate extrapolated(const ProbeBuild& smaller, const ProbeBuild& larger, 
                 peak_bytes * touch_seconds(0.125 * peak_bytes) / thread_count(report.options)};
 }
 
-// An estimate from probes of a scene, by `build(probe)`, which returns a ProbeBuild.
+// The estimate from probes of a scene. `build(probe)` returns a ProbeBuild.
 template <typename Options, typename Build>
 BuildEstimate estimate_by(PrimitiveSetView primitives, const Options& options,
                           const std::stop_token& stop, Build&& build) {
@@ -117,8 +119,8 @@ BuildEstimate estimate_by(PrimitiveSetView primitives, const Options& options,
 BuildEstimate estimate_kd_tree(PrimitiveSetView primitives, const KdOptions& options,
                                const std::stop_token& stop) {
     return estimate_by(primitives, options, stop, [&](const Probe& probe) {
-        // Of the cuts at the pieces' borders the tree would make some anyhow, and others not: what
-        // is in a piece by such a cut counts half.
+        // Some of the cuts at the pieces' borders would be made by the tree anyway, others not.
+        // Hence parts that exist because of such a cut count half.
         const std::uint64_t sum = probe.size() + probe.centers().size();
         return ProbeBuild{0.5 * static_cast<double>(sum),
                           build_kd_tree(probe, options, {.stop = stop}).report};
@@ -128,7 +130,7 @@ BuildEstimate estimate_kd_tree(PrimitiveSetView primitives, const KdOptions& opt
 BuildEstimate estimate_bvh8(TriangleMeshView mesh, const Bvh8Options& options,
                             const std::stop_token& stop) {
     return estimate_by(mesh, options, stop, [&](const Probe& probe) {
-        // Whole triangles: object splits do not cut them.
+        // Uses whole triangles, since object splits do not cut them.
         std::vector<TriangleIndices> triangles;
         for (const ProbeCenter& center : probe.centers()) {
             triangles.push_back(mesh.triangles()[center.id]);

@@ -12,14 +12,14 @@
 namespace coppice::inline v0 {
 namespace {
 
-// Planes that cut off empty space earn a little more than the heuristic gives them: with less or
-// more of it, the trees cost more (docs/decisions/0004).
+// The empty bonus is slightly greater than the heuristic's. With a smaller or greater one, the
+// trees cost more (docs/decisions/0004).
 SahCostModel tuned_cost() {
     return {.empty_bonus = 0.2};
 }
 
-// How far splitting goes on while it pays. The last bit of it gains a fraction of a percent and
-// takes much of the time (docs/decisions/0004).
+// The limits of splitting while it pays. The last splits gain a fraction of a percent and take much
+// of the time (docs/decisions/0004).
 struct Effort {
     std::uint32_t min_split;
     std::uint32_t max_duplication;
@@ -29,7 +29,7 @@ constexpr Effort thorough{1, 64};
 constexpr Effort usual{3, 6};
 constexpr Effort quick{4, 4};
 
-// A k-d tree built from all primitives until no split pays.
+// Options of a k-d tree that is built from all primitives until no split pays.
 KdOptions direct(const char* rule, Effort effort) {
     return {.split = {.rule = rule,
                       .termination = Termination::sah,

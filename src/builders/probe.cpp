@@ -1,7 +1,7 @@
-// A scene is divided into pieces by a k-d tree over a sample of 16 primitives a piece; every n-th
-// leaf, in depth-first order, is a piece of the probe: close leaves are alike, so taking them
-// at even distances covers the scene. All primitives then walk down to the pieces that they touch,
-// where they are clipped. Cost: one walk of a few steps a primitive, in parallel.
+// Divides a scene into pieces by a k-d tree over a sample of 16 primitives per piece. Every n-th
+// leaf in depth-first order becomes a piece of the probe. Near leaves are alike, so leaves at equal
+// distances cover the scene. All primitives then descend to the pieces that they touch and are
+// clipped to them. Cost: one descent of a few steps per primitive, in parallel.
 
 #include "builders/probe.h"
 
@@ -27,7 +27,7 @@ KdTree divide(PrimitiveSetView primitives, std::uint32_t piece_count) {
     KdOptions options;
     options.sample.rate =
         std::min(1.0, double{sampled_per_piece} * piece_count / primitives.size());
-    options.split.rule = "exact";  // fewest primitives cut
+    options.split.rule = "exact";  // cuts the fewest primitives
     options.split.max_leaf = sampled_per_piece;
     return build_on_sample(primitives, draw_sample(primitives, options.sample), options);
 }
@@ -36,7 +36,8 @@ Vec3f middle_of(const Aabb& box) {
     return 0.5F * box.lower + 0.5F * box.upper;
 }
 
-// Finds the pieces of a probe in the tree that divides a scene, and the parts within them.
+// Finds the pieces of a probe in the tree that divides a scene, and the parts of primitives in
+// them.
 class Prober {
 public:
     Prober(PrimitiveSetView primitives, std::uint32_t piece_count, std::uint32_t n)
@@ -66,7 +67,7 @@ public:
     }
 
 private:
-    // Makes every n-th leaf a piece; true if there is one below the node.
+    // Makes every n-th leaf a piece. Returns true if there is a piece at or below the node.
     bool choose(std::uint32_t index, const Aabb& box, std::uint32_t n, std::uint32_t& leaf_count) {
         const KdNode& node = tree_.nodes()[index];
         if (!node.is_leaf()) {
@@ -92,10 +93,10 @@ private:
         std::uint32_t id;
         Aabb box;
         Vec3f middle;
-        bool has_middle = true;  // in the node; a middle in a plane is above it
+        bool has_middle = true;  // the middle is in the node; one in a plane is above it
     };
 
-    // Adds what the pieces below a node have of a primitive.
+    // Adds the parts of a primitive that are in the pieces at or below a node.
     void find(std::uint32_t index, Query query, Found& found) const {
         if (!is_probed_[index]) return;
         const KdNode& node = tree_.nodes()[index];

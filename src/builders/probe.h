@@ -10,21 +10,22 @@
 
 namespace coppice::inline v0 {
 
-/// A primitive's part in one of the pieces of a probe.
+/// The part of a primitive in one piece of a probe.
 struct ProbePart {
     std::uint32_t id;
-    Aabb box;  ///< of the part
+    Aabb box;  ///< box of the part
     std::uint32_t piece;
 };
 
-/// A primitive whose box has its middle in one of the pieces, whether or not it touches the piece.
+/// A primitive whose box has its midpoint in one of the pieces, whether or not the primitive
+/// touches the piece.
 struct ProbeCenter {
     std::uint32_t id;
     std::uint32_t piece;
 };
 
-/// Pieces of a scene: the parts of all primitives within some boxes, as a set of primitives of its
-/// own. Satisfies PrimitiveSet. What it is a probe of must outlive it.
+/// Pieces of a scene as a set of primitives: the parts of all primitives within some boxes.
+/// Satisfies PrimitiveSet. Refers to the scene, which must outlive it.
 class Probe {
 public:
     Probe(PrimitiveSetView primitives, std::vector<Aabb> pieces, std::vector<ProbePart> parts,
@@ -46,12 +47,12 @@ public:
         return inside.is_empty() ? Aabb{} : primitives_.clipped_bounds(part.id, inside);
     }
 
-    /// The primitives that have their middle in one of the pieces, by ascending ids. Every
-    /// primitive has it in one piece of the whole scene, so their number over that of all is the
-    /// share of the scene probed.
+    /// The primitives with their midpoint in one of the pieces, by ascending id. Every primitive
+    /// has its midpoint in exactly one piece of the whole scene. So their number, divided by the
+    /// number of all primitives, is the share of the scene that is probed.
     [[nodiscard]] std::span<const ProbeCenter> centers() const noexcept { return centers_; }
 
-    /// The probe of every n-th piece of this one.
+    /// A smaller probe, of every n-th piece of this one.
     [[nodiscard]] Probe thinned(std::uint32_t n) const;
 
 private:
@@ -61,8 +62,7 @@ private:
     std::vector<ProbeCenter> centers_;
 };
 
-/// Divides a scene into about `piece_count` pieces (one for 1) and takes one in `n` of them, evenly
-/// over it.
+/// Divides a scene into about `piece_count` pieces (one piece for 1) and takes every n-th of them.
 [[nodiscard]] Probe take_probe(PrimitiveSetView primitives, std::uint32_t piece_count,
                                std::uint32_t n);
 

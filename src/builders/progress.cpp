@@ -23,11 +23,11 @@ void Progress::begin_stage(double share) {
 
 void Progress::add(double share_of_stage) {
     const double of_stage = done_.fetch_add(share_of_stage) + share_of_stage;
-    // Not quite 1: that is for the end.
+    // Stays below 1, which finish() reports.
     const double done =
         std::min(stage_begin_ + stage_share_ * std::min(of_stage, 1.0), 1.0 - told_step);
     if (done < next_told_) return;
-    // Whoever else is telling tells nearly as much.
+    // If another thread is reporting, its value is nearly the same, and this one is dropped.
     const std::unique_lock lock(mutex_, std::try_to_lock);
     if (lock && done >= next_told_) tell(done);
 }

@@ -1,5 +1,5 @@
-// All primitives go down the skeleton, ten levels at once (TopTree), where there are few one level
-// at a time, and are divided at each plane by the builder's own divide(). So leaves receive exactly
+// All primitives descend the skeleton, ten levels at once (KdTopTree), or one level at a time if
+// there are few. The builder's own divide() divides them at each plane. So leaves receive exactly
 // what the builder would have given them, in order of ids. Cost: O(N depth), two copies of a
 // PrimRef for ten levels.
 // Source: [Tsiompikas2022] sec. 4.3.3 (one primitive at a time, by position).
@@ -30,8 +30,8 @@ public:
     Refill(std::vector<KdNode>& nodes, const Division& division)
         : nodes_(nodes), division_(division) {}
 
-    // Fills all leaves below a node. Appends their references to `references` in depth-first
-    // order; leaves get their counts, and their first reference in place_references().
+    // Fills all leaves below a node. Appends their references to `references` in depth-first order.
+    // Leaves receive their counts here, and their first reference in place_references().
     void fill(std::uint32_t index, std::vector<PrimRef> prim_refs,
               std::vector<std::uint32_t>& references) {
         MeteredBytes bytes(division_.meter, prim_refs);
@@ -53,7 +53,7 @@ public:
     }
 
 private:
-    // fill() through many levels at once.
+    // fill() for many levels at once.
     void fill_cells(std::uint32_t index, std::vector<PrimRef> prim_refs,
                     std::vector<std::uint32_t>& references) {
         const KdTopTree top_tree(nodes_, {index, {}, 0}, levels_at_once,
@@ -90,7 +90,7 @@ private:
     Division division_;
 };
 
-// Gives every leaf its range, now that all counts are known.
+// Sets the range of every leaf, now that all counts are known.
 void place_references(std::vector<KdNode>& nodes, std::uint64_t reference_count) {
     if (reference_count > std::numeric_limits<std::uint32_t>::max()) {
         throw Error(ErrorCode::limit,
@@ -101,7 +101,7 @@ void place_references(std::vector<KdNode>& nodes, std::uint64_t reference_count)
     walk_below(nodes, {}, [&](const VisitedNode& at) {
         KdNode& node = nodes[at.index];
         if (!node.is_leaf()) return;
-        // An empty leaf that was empty in the sample is simply empty.
+        // A leaf that is empty in the sample and in the scene needs no mark.
         const bool is_empty = node.reference_count() == 0;
         node = KdNode::make_leaf(first, node.reference_count(),
                                  is_empty ? SampleContent::some : node.in_sample());

@@ -8,7 +8,7 @@
 
 namespace coppice::inline v0 {
 
-/// Throws Error(invalid_argument) naming an option and its value unless it `holds`.
+/// Throws Error(invalid_argument) with the option's name, value and range unless `holds`.
 inline void require_in_range(bool holds, std::string_view name, std::int64_t value,
                              std::string_view range) {
     if (holds) return;

@@ -40,10 +40,11 @@ void require_usable(PrimitiveSetView primitives) {
             while (id < end && id < first && !first_bad.compare_exchange_weak(first, id)) {
             }
         });
-    if (!are_valid) primitives.require_valid(0, primitives.size());  // names the first
+    if (!are_valid) primitives.require_valid(0, primitives.size());  // throws for the first one
     if (first_bad == primitives.size()) return;
     throw Error(ErrorCode::invalid_argument,
-                fmt::format("primitive {} has no finite box", first_bad.load()));
+                fmt::format("primitive {} has a box that is not finite: fix or remove it",
+                            first_bad.load()));
 }
 
 }  // namespace coppice::inline v0

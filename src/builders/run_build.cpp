@@ -33,7 +33,7 @@ std::string bytes_text(double bytes) {
         bytes /= step;
         ++unit;
     }
-    // Three digits, but whole ones in full: "1020 MiB".
+    // Three significant digits, but whole numbers in full: "1020 MiB".
     const int decimals = unit == 0 || bytes >= 100.0 ? 0 : bytes >= 10.0 ? 1 : 2;
     return fmt::format("{:.{}f} {}", bytes, decimals, units[unit]);
 }

@@ -16,10 +16,10 @@
 
 namespace coppice::inline v0 {
 
-/// A build while it runs: what its stages tell is gathered here.
+/// A running build: collects the reports, times and memory of its stages.
 class BuildRun {
 public:
-    /// Both must outlive it; the progress may be null.
+    /// `report` and `progress` must outlive it; `progress` may be null.
     BuildRun(BuildReport& report, Progress* progress) noexcept
         : report_(report), progress_(progress) {}
 
@@ -29,13 +29,13 @@ public:
 
     [[nodiscard]] std::uint64_t peak_bytes() const noexcept { return meter_.peak_bytes(); }
 
-    /// What follows is `share` of the whole, for the progress.
+    /// Starts a part of the build that is `share` of the whole, for progress reports.
     void begin(double share) {
         if (progress_ != nullptr) progress_->begin_stage(share);
     }
 
-    /// Runs a stage that is `share` of the whole: `work()` returns its result, and `items(result)`
-    /// is how many came out of it. Reports what it took.
+    /// Runs a stage that is `share` of the whole and reports its times. `work()` returns its
+    /// result, and `items(result)` the number of items in it.
     template <typename Work, typename Items>
     auto stage(StageReport& report, double share, Work&& work, Items&& items) {
         begin(share);
@@ -51,7 +51,7 @@ private:
     StageClock clock_;
 };
 
-/// The report of a build that begins: what is asked for.
+/// The initial report of a build, with its options.
 template <typename Options>
 [[nodiscard]] BuildReport begin_report(const Options& options, std::uint32_t primitive_count) {
     BuildReport report;
@@ -62,13 +62,14 @@ template <typename Options>
     return report;
 }
 
-/// Runs work with at most `threads` threads as a build's control says: it gets what to tell the
-/// progress, null if nobody asks. Throws Error(cancelled) after a stop.
+/// Runs `work(progress)` with at most `threads` threads, progress reports and cancellation as
+/// `control` says. `progress` is null if progress is disabled. Throws Error(cancelled) after a stop
+/// request.
 void run_watched(int threads, const BuildControl& control,
                  const std::function<void(Progress*)>& work);
 
-/// What all builds have in common: runs `pipeline(run)`, which returns the tree, and measures that,
-/// which is `measure_share` of the whole.
+/// The common frame of all builds: runs `pipeline(run)`, which returns the tree, and measures it.
+/// Measuring is `measure_share` of the whole.
 template <typename Options, typename Pipeline>
 [[nodiscard]] auto run_build(const Options& options, const BuildControl& control,
                              BuildReport& report, double measure_share, Pipeline&& pipeline) {
@@ -85,11 +86,11 @@ template <typename Options, typename Pipeline>
     return tree;
 }
 
-/// True if a build keeps within the limit, or there is none.
+/// True if a build stays within the memory limit, or there is none.
 [[nodiscard]] bool is_within_limit(const BuildEstimate& estimate,
                                    const BuildControl& control) noexcept;
 
-/// "1.5 GiB": bytes as people read them.
+/// A number of bytes as readable text, e.g. "1.5 GiB".
 [[nodiscard]] std::string bytes_text(double bytes);
 
 /// "WHAT would take about 1.5 GiB of memory beside 200 MiB of primitives; the limit is 1 GiB".

@@ -5,10 +5,10 @@
 
 namespace coppice::inline v0 {
 
-/// Times the stages of a build one after another; runs from its construction.
+/// Measures the times of the stages of a build one after another. Starts at construction.
 class StageClock {
 public:
-    /// Ends a stage that `items` came out of, and begins the next.
+    /// Ends a stage with `items` results, returns its report, and starts the next stage.
     [[nodiscard]] StageReport lap(std::uint64_t items) noexcept {
         const StageReport stage{wall_.seconds(), cpu_.seconds(), items};
         wall_.restart();

@@ -1,7 +1,7 @@
-// Tasks build their parts of a tree in arrays of their own; where each goes in the whole is known
-// only when all are done. Splicing parts into their parents, level by level, would copy a node as
-// often as it has tasks above it; so first the place of every part is found, depth first, then each
-// is copied once, all at the same time.
+// Assembles a tree from parts that tasks built in arrays of their own. The place of a part in the
+// whole is known only when all parts are done. Inserting parts into their parents level by level
+// would copy a node once for every task above it. Instead, the place of every part is computed
+// first, depth first. Then each part is copied once, all in parallel.
 #pragma once
 
 #include "coppice/base/parallel.h"
@@ -13,22 +13,22 @@
 
 namespace coppice::inline v0 {
 
-/// Where a part goes in the arrays of the whole: its root; its other nodes, which stand together;
-/// its items (references of a k-d tree, blocks of an 8-wide one).
+/// The place of a part in the arrays of the whole tree: of its root, of its other nodes, which are
+/// contiguous, and of its items (references of a k-d tree, blocks of an 8-wide tree).
 struct PartPlace {
     std::uint64_t root;
     std::uint64_t below;
     std::uint64_t items;
 };
 
-/// Where the roots of the parts stand that hang below a part.
+/// The order of the roots of the parts that hang below a part.
 enum class LinkedRoots {
-    together,  ///< side by side, then what is below the first of them, the second and so on
-    apart      ///< each before what is below it
+    together,  ///< side by side, followed by the rest of the first part, the second ...
+    apart      ///< each directly before the rest of its part
 };
 
-/// The places of a part and all below it. A part has own_node_count(), its root included,
-/// own_item_count(), link_count(), and link(i), the parts that hang below it.
+/// Computes the places of a part and all parts below it. A Part has own_node_count(), which
+/// includes its root, own_item_count(), link_count(), and link(i), the parts that hang below it.
 template <typename Part, LinkedRoots linked_roots>
 class Placement {
 public:
@@ -38,7 +38,7 @@ public:
         std::vector<std::uint64_t> link_roots;
     };
 
-    /// The root part must outlive this.
+    /// Computes the places of `root` and all parts below it; `root` must outlive this object.
     explicit Placement(Part& root) { add(root, 0); }
 
     [[nodiscard]] std::uint64_t node_count() const noexcept { return node_count_; }
@@ -71,7 +71,7 @@ private:
     }
 
     std::vector<Placed> parts_;
-    std::uint64_t node_count_ = 1;  // the root's place is taken
+    std::uint64_t node_count_ = 1;  // index 0 is the root
     std::uint64_t item_count_ = 0;
 };
 

@@ -6,8 +6,8 @@
 namespace coppice::inline v0 {
 namespace {
 
-// What is left to do for so many PrimRefs, in passes over them: one for each level where nodes are
-// large, and the rest in the cache. That it is 20 passes for the rest is an average of the methods.
+// The work below a node of `count` PrimRefs, in passes over them: one for each level where nodes
+// are large, plus 20 for the rest, which is in the cache. 20 is an average over the methods.
 double work_below(std::size_t count) noexcept {
     constexpr double small_node = 4096.0;
     constexpr double small_passes = 20.0;

@@ -1,5 +1,5 @@
-// One recursion does both: costs come up from the leaves, and the probability that a ray which
-// meets the root's box also meets this node's goes down.
+// One recursion computes both: costs are summed from the leaves up, and the probability that a ray
+// which meets the root's box also meets a node's box is passed down.
 // Source: [Tsiompikas2022] eq. 4 to 6.
 
 #include "coppice/cost/measure.h"
@@ -14,7 +14,7 @@
 namespace coppice::inline v0 {
 namespace {
 
-// What is below a binary node of this depth takes no time to speak of.
+// Cancellation is checked down to this depth of a binary tree; subtrees below take negligible time.
 constexpr int depth_of_looks = 12;
 
 class KdMeasurement {
@@ -29,7 +29,7 @@ public:
     }
 
 private:
-    // Returns the node's cost, given that a ray meets it.
+    // Returns the node's cost for a ray that meets it.
     double visit(const VisitedNode& at, double probability) {
         if (at.depth <= depth_of_looks) throw_if_cancelled();
         const KdNode& node = tree_.nodes()[at.index];

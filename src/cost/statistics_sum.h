@@ -6,17 +6,17 @@
 
 namespace coppice::inline v0 {
 
-/// Adds up a tree's statistics node by node.
+/// Sums up a tree's statistics node by node.
 class StatisticsSum {
 public:
-    /// `probability`: that a ray which meets the root's box also meets this node's; `cost`: what it
-    /// then costs here.
+    /// Adds an inner node. `probability`: that a ray which meets the root's box also meets this
+    /// node's. `cost`: what the node costs such a ray.
     void add_inner(int depth, double probability, double cost);
 
-    /// A leaf of `count` primitives, of which `tests` have to be tested one after the other.
+    /// Adds a leaf of `count` primitives that takes `tests` intersection tests one after the other.
     void add_leaf(int depth, double probability, std::uint64_t count, double tests, double cost);
 
-    /// Everything, with shares and means; sah_cost is the sum of all costs.
+    /// The complete statistics, with shares and means. sah_cost is the sum of all costs.
     [[nodiscard]] TreeStatistics finish() &&;
 
 private:

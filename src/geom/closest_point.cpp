@@ -1,9 +1,10 @@
-// The closest point of a triangle: the closest of its three edges, and of its face if the point's
-// projection falls inside. All candidates are convex combinations of the corners, so that however
-// thin the triangle, what is found is a point of it up to the rounding of a double: distances may
-// come out too large where a triangle has hardly any area, but never too small. An edge is measured
-// from the lesser of its ends: both its triangles find the same number.
-// Source: [Ericson2005] sec. 5.1.5, there with the regions told apart first.
+// Computes the closest point of a triangle. It is the closest point of the three edges, or the
+// projection onto the face if that falls inside the triangle and is closer. All candidates are
+// convex combinations of the corners. So the result is a point of the triangle, up to the rounding
+// of a double, however thin the triangle is. For a triangle with hardly any area the distance may
+// come out too large, but never too small. An edge is measured from its lexicographically smaller
+// end, so that both of its triangles compute the same number.
+// Source: [Ericson2005] sec. 5.1.5, which first determines the Voronoi region.
 
 #include "coppice/geom/closest_point.h"
 
@@ -14,7 +15,7 @@
 namespace coppice::inline v0 {
 namespace {
 
-// A candidate, relative to the point in question.
+// A candidate for the closest point, relative to the query point.
 struct Candidate {
     double distance_squared;
     Vec3d place;
@@ -59,7 +60,7 @@ Candidate on_edge(const Triangle& triangle, const std::array<Vec3d, 3>& corners,
     return at;
 }
 
-// The projection onto the face, or a candidate infinitely far if it falls outside.
+// The projection onto the face, or a candidate at infinite distance if it falls outside.
 Candidate on_face(const std::array<Vec3d, 3>& corners) noexcept {
     Candidate at{Aabb::infinity, {}, {}, TriangleFeature::face};
     const Vec3d normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
@@ -79,8 +80,9 @@ Candidate on_face(const std::array<Vec3d, 3>& corners) noexcept {
     return at;
 }
 
-// More than what rounding does to the difference of two squared distances. The face must be closer
-// by more, or a point over an edge would fall to either side of it by chance.
+// An upper bound of the rounding error of the difference of two squared distances. The face counts
+// as closer only beyond this bound. Otherwise rounding would decide at random between edge and face
+// for a point above an edge.
 double rounding_of(const Candidate& best, const std::array<Vec3d, 3>& corners) noexcept {
     double reach_squared = 0.0;
     for (const Vec3d& corner : corners) {

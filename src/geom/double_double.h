@@ -1,5 +1,6 @@
-// Numbers as unevaluated sums of two doubles, of about 104 bits: for the few results whose rounding
-// in double would show. Sums and products of doubles are exact; cost: 10 to 20 operations each.
+// Double-double arithmetic: numbers as unevaluated sums of two doubles, with a precision of about
+// 104 bits. It is used for the few results where the rounding of a double would show. Sums and
+// products of doubles are exact. Each operation costs 10 to 20 double operations.
 // Source: [Dekker1971], [Knuth1997] sec. 4.2.2 (the sum).
 #pragma once
 
@@ -9,7 +10,7 @@
 
 namespace coppice::inline v0 {
 
-/// high + low, |low| at most half a unit in the last place of high.
+/// The number high + low, where |low| is at most half a unit in the last place of high.
 struct DoubleDouble {
     double high = 0.0;
     double low = 0.0;

@@ -1,8 +1,8 @@
-// On which side of a ray an edge passes, decided without rounding: first with numbers of two parts,
-// and where even these are too short, because the ray meets the edge or all but meets it, by a sum
-// of all its terms that drops nothing. Cost: some 200 operations, then a few hundred, or 30,000
-// at worst.
-// Source: [Shewchuk1997] sec. 2.3, 2.4 (sums without rounding).
+// Decides without rounding error on which side of a ray an edge passes. First, in double-double
+// arithmetic, about 200 operations. Where the ray meets the edge or nearly does, that is not
+// precise enough, and all terms are summed exactly as an expansion: a few hundred operations,
+// 30,000 at worst.
+// Source: [Shewchuk1997] sec. 2.3, 2.4 (expansions).
 
 #include "geom/edge_function.h"
 
@@ -15,12 +15,12 @@
 namespace coppice::inline v0 {
 namespace {
 
-// A sum of doubles without rounding, as parts that do not overlap, the largest last.
+// An exact sum of doubles: an expansion of non-overlapping components, the largest last.
 class Expansion {
 public:
     static constexpr std::size_t max_terms = 96;
 
-    // At most max_terms times.
+    // Adds a term. May be called at most max_terms times.
     void add(double term) noexcept {
         std::size_t size = 0;
         for (std::size_t i = 0; i < size_; ++i) {
@@ -32,7 +32,7 @@ public:
         size_ = size;
     }
 
-    // The sum, rounded; its sign is right.
+    // The sum, rounded to a double. The sign is exact.
     [[nodiscard]] double value() const noexcept { return size_ == 0 ? 0.0 : parts_[size_ - 1]; }
 
 private:
@@ -40,8 +40,8 @@ private:
     std::size_t size_ = 0;
 };
 
-// Adds a * b * c. Most parts are zero: differences of floats, and products of two, fit a double
-// unless their sizes are very different.
+// Adds a * b * c. Most components are zero: differences of floats and products of two of them fit
+// into one double, unless their magnitudes are very different.
 void add_product(Expansion& sum, double a, DoubleDouble b, DoubleDouble c) noexcept {
     if (a == 0.0) return;
     for (const double b_part : {b.high, b.low}) {

@@ -4,9 +4,9 @@
 
 namespace coppice::inline v0 {
 
-/// The volume that a ray's direction spans with the edge of a triangle as seen from its origin:
-/// direction . ((from - origin) x (to - origin)), with its true sign, and 0 only if it is 0. The
-/// arguments are floats in double.
+/// The edge function: direction . ((from - origin) x (to - origin)), the volume spanned by the
+/// ray's direction and the edge as seen from the ray's origin. The sign is exact, and the result is
+/// 0 only if the exact value is 0. All arguments must be floats stored as doubles.
 [[nodiscard]] double edge_function(Vec3d origin, Vec3d direction, Vec3d from, Vec3d to) noexcept;
 
 }  // namespace coppice::inline v0

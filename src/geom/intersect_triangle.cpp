@@ -1,12 +1,12 @@
-// The watertight ray-triangle test: the triangle is sheared into a space where the ray is the z
-// axis, and three edge functions decide. The original computes them in float, and in double where
-// one is zero. Here all is double with a bound on its rounding; where that leaves a sign open,
-// which is about once in a billion tests unless rays are aimed at edges, the edge functions are
-// computed as volumes, exactly. So every sign is the true one, hits are those of exact arithmetic,
-// and no ray passes between triangles that share an edge.
+// The watertight ray-triangle test. The triangle is sheared into a space where the ray is the z
+// axis, and the signs of three edge functions decide. The original computes them in float, and in
+// double where one is zero. Here they are computed in double with a bound on the rounding error.
+// Where that bound leaves a sign open, edge_function() computes it exactly; that happens about once
+// in a billion tests, unless rays are aimed at edges. So every sign is exact, hits are those of
+// exact arithmetic, and no ray passes between triangles that share an edge.
 //
-// The distance has not enough digits left where the ray hardly leaves the triangle's plane, or
-// starts at it: then it is computed anew, from the plane, in twice the precision.
+// The distance loses too many digits where the ray is nearly parallel to the triangle's plane or
+// starts close to it. It is then recomputed from the plane in double-double arithmetic.
 // Source: [Woop2013] sec. 3.
 
 #include "coppice/geom/triangle.h"
@@ -28,12 +28,12 @@ double edge_function(Vec3d a, Vec3d b) noexcept {
     return a.x * b.y - a.y * b.x;
 }
 
-// The larger of a corner's distances from the ray along two axes.
+// The larger absolute value of a corner's sheared x and y, its distance from the ray.
 double aside(Vec3d corner) noexcept {
     return std::max(std::abs(corner.x), std::abs(corner.y));
 }
 
-// The corner nearest to a point, by the sum of coordinates.
+// The index of the corner nearest to a point in the Manhattan distance.
 std::size_t nearest_corner(Vec3d point, const Triangle& triangle) noexcept {
     std::array<double, 3> distance;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -44,8 +44,9 @@ std::size_t nearest_corner(Vec3d point, const Triangle& triangle) noexcept {
                                     distance.begin());
 }
 
-// Where a ray meets the plane of a triangle, or infinity or NaN if it is parallel to it. Measured
-// from the nearest corner: seen from one that is 1e38 away the others are one point.
+// The distance at which a ray meets the plane of a triangle; infinity or NaN if it is parallel to
+// the plane. Differences are taken from the nearest corner: seen from a corner 1e38 away, the other
+// two would be rounded to one point.
 double distance_to_plane(Vec3d origin, Vec3d direction, const Triangle& triangle) noexcept {
     const std::size_t nearest = nearest_corner(origin, triangle);
     const Vec3d a = to_double(triangle[nearest]);
@@ -101,10 +102,10 @@ std::optional<Hit> TriangleTest::operator()(const Triangle& triangle, float t_ma
     if (least() < -error && most() > error) return std::nullopt;
     if (!(least() > error || most() < -error)) {
         weight = precise_weights(triangle);
-        if ((least() < 0.0) == (most() > 0.0)) return std::nullopt;  // outside, or edge-on
+        if ((least() < 0.0) == (most() > 0.0)) return std::nullopt;  // outside, or in the plane
     }
     const auto t = static_cast<float>(distance(corner, weight, extent, triangle));
-    // What is beyond the range of float is no hit: its distance could not be told.
+    // A hit beyond the range of float does not count, because its t cannot be represented.
     if (!(t >= t_min_ && t <= t_max && t <= std::numeric_limits<float>::max())) return std::nullopt;
     const double per_weight = 1.0 / (weight[0] + weight[1] + weight[2]);
     return Hit{t, static_cast<float>(weight[1] * per_weight),

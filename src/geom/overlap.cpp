@@ -1,7 +1,7 @@
-// Two convex bodies are apart if and only if they are on one of a few axes: here those of the box,
-// the triangle's normal, and the nine cross products of their edges. The axes of the box need
-// comparisons only and are exact; on the others a gap counts if it is more than rounding. What of
-// the box is outside of the triangle's own box is cut off first: so infinite boxes are none.
+// Separating axis test of a triangle and a box. The axes are those of the box, the triangle's
+// normal, and the nine cross products of their edges. Tests on the box's axes need comparisons only
+// and are exact. On the other axes, a gap counts only if it exceeds the rounding error. The box is
+// first cut to the bounding box of the triangle, so that no coordinate is infinite.
 // Source: [AkenineMoller2001].
 
 #include "coppice/geom/overlap.h"
@@ -19,8 +19,8 @@ double sum_of_products(Vec3d a, Vec3d b) noexcept {
     return std::abs(a.x * b.x) + std::abs(a.y * b.y) + std::abs(a.z * b.z);
 }
 
-// True if triangle and box are apart seen along `axis`, each of whose components is off by a few
-// units of rounding of `scale`.
+// True if `axis` separates the triangle from the box. Each component of `axis` may have an error of
+// a few rounding units of `scale`.
 bool is_apart(const Corners& corners, Vec3d half, Vec3d axis, double scale) noexcept {
     double least = Aabb::infinity;
     double most = -Aabb::infinity;
@@ -46,7 +46,7 @@ bool overlaps(const Triangle& triangle, const Aabb& box) noexcept {
     const Aabb common = intersection(box, triangle_bounds(triangle));
     if (common.is_empty()) return false;
     for (const Vec3f& corner : triangle) {
-        if (box.contains(corner)) return true;  // most of those that overlap
+        if (box.contains(corner)) return true;  // decides most overlapping cases early
     }
     const Vec3d lower = to_double(common.lower);
     const Vec3d upper = to_double(common.upper);

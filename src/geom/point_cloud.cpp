@@ -17,7 +17,7 @@ void remove_duplicates(std::vector<Vec3f>& points) {
     points.erase(std::unique(points.begin(), points.end()), points.end());
 }
 
-// Fisher-Yates with counter-based randomness.
+// A Fisher-Yates shuffle with counter-based random numbers.
 void shuffle(std::vector<Vec3f>& points, std::uint64_t seed) {
     for (std::size_t i = points.size(); i > 1; --i) {
         const auto other = static_cast<std::size_t>(random_unit(seed, i) * static_cast<double>(i));
@@ -33,7 +33,7 @@ PointCloudView::PointCloudView(std::span<const Vec3f> points) : points_(points) 
 
 std::vector<Vec3f> shuffled_distinct_points(std::span<const Vec3f> points, std::uint64_t seed) {
     std::vector<Vec3f> distinct(points.begin(), points.end());
-    // Which zero of +0 and -0 survives must not depend on the sort.
+    // Turns -0 into +0: which of the two remains must not depend on the sort.
     for (Vec3f& point : distinct) {
         point = point + Vec3f{};
     }

@@ -9,7 +9,8 @@
 
 namespace coppice::inline v0 {
 
-/// Throws Error(limit) if there are more things than ids of 32 bits; the last id is for none.
+/// Throws Error(limit) if `count` exceeds 2^32 - 1, the number of 32-bit ids without the last one,
+/// which stands for none. `things` is the plural noun for the message.
 inline void require_ids(std::size_t count, const char* things) {
     constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
     if (count <= most) return;

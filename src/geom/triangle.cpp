@@ -12,7 +12,8 @@ namespace {
 
 using Corner = std::array<double, 3>;
 
-// A convex polygon: three corners, and at most one more for each of the six clip planes.
+// A convex polygon. It has the triangle's three corners, and each of the six clip planes adds at
+// most one more.
 struct Polygon {
     std::array<Corner, 9> corners;
     std::size_t count = 0;
@@ -22,13 +23,14 @@ constexpr Corner corner_at(const Vec3f& v) noexcept {
     return {v.x, v.y, v.z};
 }
 
-// How far a corner is inside the half-space below (sign 1) or above (-1) a position on an axis.
+// The depth of a corner inside the half-space below (sign 1) or above (sign -1) a position on an
+// axis; negative outside.
 template <std::size_t axis, int sign>
 double depth_of(const Corner& corner, double position) noexcept {
     return sign > 0 ? position - corner[axis] : corner[axis] - position;
 }
 
-// The part of a polygon in such a half-space (Sutherland-Hodgman, one plane).
+// Clips a polygon to such a half-space: one step of Sutherland-Hodgman.
 template <std::size_t axis, int sign>
 void clip(const Polygon& polygon, double position, Polygon& inside) noexcept {
     inside.count = 0;
@@ -54,7 +56,7 @@ void clip(const Polygon& polygon, double position, Polygon& inside) noexcept {
     }
 }
 
-// The float before `x`, which is finite.
+// The next float below `x`, which must be finite.
 float float_before(float x) noexcept {
     if (x == 0.0F) return -std::numeric_limits<float>::denorm_min();
     const auto bits = std::bit_cast<std::uint32_t>(x);
@@ -70,8 +72,9 @@ float round_up(double x) noexcept {
     return -round_down(-x);
 }
 
-// An upper bound of the rounding error of all clip steps, per axis: each crossing is off by a few
-// units in the last place of the largest coordinate, and there are at most six in a row.
+// An upper bound of the rounding error of all clip steps, per axis. Each crossing has an error of a
+// few units in the last place of the largest coordinate, and at most six crossings follow one
+// another.
 Vec3d clip_error(const Aabb& bounds) noexcept {
     Vec3d error;
     for (const Axis axis : all_axes) {
@@ -87,8 +90,8 @@ bool is_inside(const Aabb& inner, const Aabb& outer) noexcept {
     });
 }
 
-// The rounded box of a clipped polygon, within `limits`: so that it is conservative and yet as
-// flat as the triangle itself where that lies in an axis-parallel plane.
+// The bounding box of a clipped polygon within `limits`, rounded outward to be conservative. The
+// box stays flat on an axis where the triangle itself is flat.
 Aabb rounded_bounds(const Polygon& polygon, const Vec3d& error, const Aabb& limits) noexcept {
     Corner lower = polygon.corners[0];
     Corner upper = lower;
@@ -103,14 +106,14 @@ Aabb rounded_bounds(const Polygon& polygon, const Vec3d& error, const Aabb& limi
         const auto index = static_cast<std::size_t>(axis);
         const float least = limits.lower[axis];
         const float most = limits.upper[axis];
-        // In this order a corner that is NaN gives the limits.
+        // The order of arguments matters: if a corner is NaN, the result is the limit.
         box.lower[axis] = std::min(most, std::max(least, round_down(lower[index] - error[axis])));
         box.upper[axis] = std::max(least, std::min(most, round_up(upper[index] + error[axis])));
     }
     return box;
 }
 
-// Clips a polygon to the faces of a box that its own box crosses, axis by axis.
+// Clips a polygon axis by axis to those faces of a box that cross the polygon's bounding box.
 class Clipper {
 public:
     explicit Clipper(const Triangle& triangle) noexcept {
@@ -151,7 +154,7 @@ Aabb triangle_bounds(const Triangle& triangle) noexcept {
 }
 
 Aabb triangle_bounds_or_nan(const Triangle& triangle) noexcept {
-    float sum = 0.0F;  // of nothing but zeros and NaN
+    float sum = 0.0F;  // of zeros and NaN only
     for (const Vec3f& corner : triangle) {
         sum += 0.0F * corner.x + 0.0F * corner.y + 0.0F * corner.z;
     }
@@ -163,7 +166,7 @@ double triangle_area(const Triangle& triangle) noexcept {
     const Vec3d a = to_double(triangle[0]);
     const Vec3d b = to_double(triangle[1]);
     const Vec3d c = to_double(triangle[2]);
-    // From the two shorter edges: the longest may hide another's digits.
+    // Uses the two shorter edges: the longest one may cancel the digits of another.
     std::array<Vec3d, 3> edges{b - a, c - b, a - c};
     std::swap(edges[2], *std::max_element(edges.begin(), edges.end(),
                                           [](const Vec3d& first, const Vec3d& second) {

@@ -4,21 +4,23 @@
 
 namespace coppice::inline v0 {
 
-/// Of a triangle in the frame of a ray (TriangleTest): the most of any corner across and along it.
+/// The extent of a triangle in the frame of a ray (TriangleTest): the greatest distance of any
+/// corner across the ray (`width`) and along it (`depth`).
 struct FrameExtent {
     double width;
     double depth;
 };
 
-/// More than rounding does to a weight (edge function) in double precision: the corners of the
-/// sheared triangle are off by 2^-51 of their distance.
+/// An upper bound of the rounding error of a weight (edge function) in double precision. Corners of
+/// the sheared triangle have an error of at most 2^-51 of their distance.
 [[nodiscard]] inline double weight_error(FrameExtent extent) noexcept {
     return 0x1.0p-47 * extent.width * (extent.width + extent.depth);
 }
 
-/// Whether the average of the corners' z by weights, whose sum this is, has enough digits left for
-/// a float. As far as the corners are off, weights are by width times as much, and the average by
-/// what this is of all weights, from one end of the triangle's z to the other (`range`).
+/// True if the weighted average of the corners' z is precise enough to be rounded to a float.
+/// `weight_sum` is the sum of the weights, `range` the extent of the triangle's z. An error e of
+/// the corners changes the weights by about width * e. The average then moves by that share of the
+/// sum of all weights, times `range`.
 [[nodiscard]] inline bool is_precise(double mean_z, double weight_sum, double range,
                                      FrameExtent extent) noexcept {
     const double spread = range * (extent.width + extent.depth) * extent.width;

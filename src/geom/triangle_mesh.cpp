@@ -17,7 +17,7 @@ TriangleMeshView::TriangleMeshView(std::span<const Vec3f> vertices,
 
 std::uint32_t TriangleMeshView::first_invalid(std::uint32_t first,
                                               std::uint32_t last) const noexcept {
-    // Two passes: the first has no branches, and the second is for what should not be.
+    // Two passes: the first has no branches; the second runs only for an invalid mesh.
     std::uint32_t highest = 0;
     for (std::uint32_t id = first; id < last; ++id) {
         const TriangleIndices& corner = triangles_[id];

@@ -19,8 +19,9 @@ std::unique_lock<std::mutex> lock_log() {
     return std::unique_lock(mutex);
 }
 
-/// Assimp's messages have no codes. Met in 5.2.5: "Some faces had out-of-range indices. Those
-/// faces were dropped.", "AC3D: Invalid vertex reference", "Face has an invalid index. It will be
+/// True if a message reports lost or altered faces. Assimp's messages have no codes, so that it is
+/// recognized by words. Messages seen in 5.2.5: "Some faces had out-of-range indices. Those faces
+/// were dropped.", "AC3D: Invalid vertex reference", "Face has an invalid index. It will be
 /// ignored", "MDC vertex index is out of range".
 bool tells_of_lost_faces(std::string_view message) {
     constexpr std::array<std::string_view, 3> subjects = {"vert", "face", "triangle"};
@@ -53,7 +54,7 @@ AssimpLog::~AssimpLog() {
 
 void AssimpLog::write(const char* message) {
     std::string text = one_line(message);
-    // Cut "Warn,  T0: " off the front.
+    // Removes the prefix "Warn,  T0: ".
     const std::size_t colon = text.find(": ");
     if (colon != std::string::npos && text.find(", T") < colon) {
         text.erase(0, colon + 2);

@@ -11,9 +11,9 @@
 
 namespace coppice::inline v0 {
 
-/// Collects the warnings and errors that Assimp logs in its lifetime. Some of its importers drop
-/// or bend faces with bad indices and say so nowhere else. The log is one for the whole process,
-/// so only one AssimpLog exists at a time: the constructor waits for the others.
+/// Collects the warnings and errors that Assimp logs while this object lives. Some of its importers
+/// drop or alter faces with bad indices and report that only here. The log is global, so only one
+/// AssimpLog exists at a time: the constructor waits for the others.
 class AssimpLog : public Assimp::LogStream {
 public:
     AssimpLog();
@@ -23,15 +23,15 @@ public:
     AssimpLog(AssimpLog&&) = delete;
     AssimpLog& operator=(AssimpLog&&) = delete;
 
-    /// Called by Assimp.
+    /// Receives a message from Assimp.
     void write(const char* message) override;
 
     [[nodiscard]] std::uint64_t message_count() const noexcept { return message_count_; }
 
-    /// The first messages, each one line, at most `kept_messages`.
+    /// The first messages, at most `kept_messages`, as one line each.
     [[nodiscard]] const std::vector<std::string>& messages() const noexcept { return messages_; }
 
-    /// The first message that tells of lost or bent faces; empty if there was none.
+    /// The first message about lost or altered faces; empty if there is none.
     [[nodiscard]] const std::string& data_loss() const noexcept { return data_loss_; }
 
     static constexpr std::size_t kept_messages = 8;
@@ -44,7 +44,7 @@ private:
     std::string data_loss_;
 };
 
-/// A message of Assimp's as one line of text.
+/// A message from Assimp as a single line.
 [[nodiscard]] std::string one_line(std::string_view message);
 
 }  // namespace coppice::inline v0

@@ -5,8 +5,8 @@
 
 namespace coppice::inline v0 {
 
-/// Counts in `report` what is odd about a mesh: zero-area triangles, duplicates, unused vertices.
-/// Linear in time and memory (about 12 bytes a triangle and 20 a vertex).
+/// Counts the irregularities of a mesh in `report`: zero-area triangles, duplicates, unused
+/// vertices. Linear in time and memory (about 12 bytes a triangle and 20 a vertex).
 void count_load_issues(TriangleMeshView mesh, LoadReport& report);
 
 }  // namespace coppice::inline v0

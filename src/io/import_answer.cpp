@@ -10,7 +10,8 @@
 
 namespace coppice::inline v0 {
 
-// Found by their arguments; each for both directions: `value` is const when it is written.
+// Overloads of exchange() for the types in an answer, found by argument-dependent lookup. Each one
+// both reads and writes; `value` is const when it is written.
 
 template <typename Archive, typename Value>
 requires std::same_as<std::remove_const_t<Value>, LoadIssue>
@@ -28,7 +29,7 @@ void exchange(Archive& archive, Value& value) {
             value.emission.z, value.shininess, value.illumination);
 }
 
-/// What an importer fills in.
+/// The data that an importer provides.
 template <typename Archive, typename Value>
 requires std::same_as<std::remove_const_t<Value>, LoadReport>
 
@@ -59,7 +60,7 @@ bool are_finite(std::span<const Vec3f> points) {
     return std::all_of(points.begin(), points.end(), is_finite);
 }
 
-/// What an importer gives, and nothing else.
+/// True if an answer contains only what an importer can produce.
 bool is_sound(const ImportAnswer& answer) {
     const TriangleMesh& mesh = answer.loaded.mesh;
     const MeshAttributes& attributes = answer.attributes;
@@ -97,7 +98,8 @@ ImportAnswer import_answer_from(std::string_view bytes, std::string_view file) {
         throw Error(static_cast<ErrorCode>(answer.error_code), answer.error);
     }
     if (!is_whole || !is_sound(answer)) {
-        throw file_error(ErrorCode::parse, file, "Assimp broke its memory: the file is damaged");
+        throw file_error(ErrorCode::parse, file,
+                         "Assimp returned invalid data: the file is damaged");
     }
     return answer;
 }

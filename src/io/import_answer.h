@@ -10,12 +10,12 @@
 
 namespace coppice::inline v0 {
 
-/// What the process that imports a file says to the one that asked: a mesh, or an error and
-/// what there was of a mesh before.
+/// The answer of the process that imports a file: a mesh, or an error and the part of the report
+/// before it.
 struct ImportAnswer {
     LoadedMesh loaded;
     MeshAttributes attributes;
-    std::string error;  ///< empty if there is a mesh
+    std::string error;  ///< message of the error; empty if there is a mesh
     int error_code = 0;
 
     void set_error(const Error& failure) {
@@ -26,8 +26,8 @@ struct ImportAnswer {
 
 [[nodiscard]] std::string to_bytes(const ImportAnswer& answer);
 
-/// The answer in `bytes`, which are not trusted. Throws the Error that is in it, and
-/// Error(parse) naming `file` if any of its indices leads nowhere.
+/// Decodes an answer from untrusted bytes. Throws the Error that the answer contains, and
+/// Error(parse) naming `file` if any index is out of range.
 [[nodiscard]] ImportAnswer import_answer_from(std::string_view bytes, std::string_view file);
 
 }  // namespace coppice::inline v0

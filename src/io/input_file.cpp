@@ -21,7 +21,7 @@ std::uint64_t regular_file_bytes(const std::filesystem::path& file) {
         throw file_error(ErrorCode::io, name, "no such file");
     }
     if (std::filesystem::is_directory(status)) {
-        throw file_error(ErrorCode::io, name, "is a directory");
+        throw file_error(ErrorCode::io, name, "is a directory, not a file");
     }
     if (!problem && !std::filesystem::is_regular_file(status)) {
         throw file_error(ErrorCode::io, name, "not a regular file");
@@ -46,7 +46,7 @@ InputFile::InputFile(const std::filesystem::path& file)
     }
     gzbuffer(file_.get(), chunk_bytes / 4);
     fill();
-    // zlib hands on what is not gzipped as it is.
+    // zlib passes data through unchanged if it is not gzipped.
     if (to_lower(file.extension().string()) == ".gz" && gzdirect(file_.get()) != 0) {
         throw file_error(ErrorCode::parse, name_, "not a gzip file");
     }
@@ -63,7 +63,7 @@ void InputFile::fill() {
     begin_ = 0;
     buffer_.resize(std::max(buffer_.size(), end_ + chunk_bytes));
     const int got = gzread(file_.get(), buffer_.data() + end_, chunk_bytes);
-    // A gzip stream cut short gives what there is, and shows only in gzerror.
+    // A truncated gzip stream yields the data it has; only gzerror() reports the truncation.
     int code = Z_OK;
     std::string_view problem = gzerror(file_.get(), &code);
     problem.remove_prefix(problem.starts_with(name_) ? name_.size() + 2 : 0);  // "name: "
@@ -85,13 +85,13 @@ std::optional<std::string_view> InputFile::next_line() {
         const std::string_view rest = unread();
         const auto* found = std::find_if(rest.begin() + length, rest.end(), is_line_end);
         length = static_cast<std::size_t>(found - rest.begin());
-        // A CR at the end of the buffer may be half of a CRLF.
+        // A CR at the end of the buffer may be the first half of a CRLF.
         if (is_exhausted_ || length + 1 < rest.size() || (length < rest.size() && *found == '\n')) {
             break;
         }
         if (length > max_line_bytes) {
             throw file_error(ErrorCode::limit, name_, line_number_ + 1,
-                             fmt::format("line of more than {} bytes", max_line_bytes));
+                             fmt::format("line longer than {} bytes", max_line_bytes));
         }
         fill();
     }

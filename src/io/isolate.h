@@ -6,22 +6,23 @@
 
 namespace coppice::inline v0 {
 
-/// What work in a process of its own may take.
+/// The limits of work in a separate process.
 struct IsolationLimits {
-    std::uint64_t memory_bytes;  ///< beyond what this process has already
+    std::uint64_t memory_bytes;  ///< address space beyond what this process uses already
     std::uint64_t cpu_seconds;
 };
 
-/// How it ended.
+/// The result of work in a separate process.
 struct IsolatedResult {
-    std::string bytes;    ///< what it returned
-    std::string failure;  ///< why it returned nothing, to complete "it ..."; else empty
+    std::string bytes;    ///< bytes that the work returned
+    std::string failure;  ///< why it returned nothing, a verb phrase such as "failed"; else empty
 };
 
-/// Calls `work` in a copy of this process and hands its result over. Whatever it does to its
-/// memory, this process is not touched: it may crash, run without end or take all memory. What it
-/// prints is lost. The copy has no threads but the calling one: `work` must not need others, nor
-/// locks that others may hold. If it throws, it fails. Throws Error(io) if there can be no copy.
+/// Calls `work` in a copy of this process and returns its result. Whatever it does to its memory,
+/// this process is not affected: it may crash, loop forever or use up memory. Its output is
+/// discarded. The copy has only the calling thread, so `work` must not need other threads or locks
+/// that they may hold. If `work` throws, the result is a failure. Throws Error(io) if no copy can
+/// be made.
 [[nodiscard]] IsolatedResult run_isolated(const std::function<std::string()>& work,
                                           const IsolationLimits& limits);
 

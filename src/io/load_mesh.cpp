@@ -25,7 +25,7 @@ namespace coppice::inline v0 {
 
 namespace {
 
-/// The end of the name that tells the format, in lower case: ".stl", ".ply.gz".
+/// The extension that selects the format, in lower case: ".stl", ".ply.gz".
 std::string format_extension(const std::filesystem::path& file) {
     std::string extension = to_lower(file.extension().string());
     if (extension == ".gz") {
@@ -34,7 +34,7 @@ std::string format_extension(const std::filesystem::path& file) {
     return extension;
 }
 
-/// The extension that a file without one should have, by how it begins; empty if that is unknown.
+/// The extension for a file without one, recognized by its first bytes; empty if they are unknown.
 std::string extension_by_contents(const std::filesystem::path& file) {
     constexpr std::size_t enough = 256;
     InputFile input(file);
@@ -55,7 +55,8 @@ LoadedMesh load_by_extension(const std::filesystem::path& file, MeshAttributes* 
     if (extension.empty()) extension = extension_by_contents(file);
     if (extension.empty()) {
         throw file_error(ErrorCode::unsupported, file.string(),
-                         "the name has no extension, and it begins like none of OBJ, PLY and OFF");
+                         "the name has no extension, and the contents are not OBJ, PLY or OFF: add "
+                         "the extension");
     }
     if (extension == ".obj" || extension == ".obj.gz") {
         return load_obj(file, attributes);

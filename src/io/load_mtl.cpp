@@ -1,5 +1,5 @@
-// Reading MTL. Ours rather than tinyobjloader's, which takes what it cannot read for 0 and has no
-// line numbers: a scene would turn black without a word.
+// Reads MTL. Not by tinyobjloader, which reads malformed values as 0 and has no line numbers: a
+// scene would turn black without a warning.
 
 #include "io/load_mtl.h"
 
@@ -18,14 +18,14 @@ namespace coppice::inline v0 {
 
 namespace {
 
-/// The finite number >= 0 that a word spells.
+/// Parses a finite number >= 0.
 std::optional<float> parse_amount(std::string_view word) {
     const std::optional<float> value = parse_float(word);
     const bool is_amount = value && std::isfinite(*value) && *value >= 0.0F;
     return is_amount ? value : std::nullopt;
 }
 
-/// `r g b`, or `r` alone for a grey.
+/// Parses `r g b`, or `r` alone for a grey.
 std::optional<Vec3f> parse_color(std::string_view rest) {
     std::array<float, 3> channels{};
     std::size_t count = 0;
@@ -39,7 +39,7 @@ std::optional<Vec3f> parse_color(std::string_view rest) {
     return std::nullopt;
 }
 
-/// Stores a value that was read; says whether one was.
+/// Stores a value if there is one. Returns whether there was.
 template <typename To, typename From>
 bool take(const std::optional<From>& value, To& to) {
     if (value) to = static_cast<To>(*value);
@@ -53,7 +53,7 @@ std::optional<int> parse_illumination(std::string_view rest) {
     return static_cast<int>(*value);
 }
 
-/// Takes the values of one statement; false if they cannot be read.
+/// Reads the values of one statement. Returns false if they are malformed.
 bool take_statement(std::string_view keyword, std::string_view rest, Material& material) {
     if (keyword == "Kd") return take(parse_color(rest), material.diffuse);
     if (keyword == "Ks") return take(parse_color(rest), material.specular);
@@ -76,13 +76,13 @@ std::vector<Material> load_mtl(const std::filesystem::path& file,
         if (keyword == "newmtl") {
             materials.emplace_back().name = trimmed(rest);
         } else if (!materials.empty() && !take_statement(keyword, rest, materials.back())) {
-            warnings.push_back(fmt::format("{}:{}: malformed {} {}; left out", input.name(),
+            warnings.push_back(fmt::format("{}:{}: malformed {} {}, ignored", input.name(),
                                            input.line_number(), keyword, in_quotes(trimmed(rest))));
         }
         texture_count += keyword.starts_with("map_") ? 1 : 0;
     }
     if (texture_count > 0) {
-        warnings.push_back(fmt::format("{}: {} textures are not read: plain colours instead",
+        warnings.push_back(fmt::format("{}: {} textures are not read; plain colours are used",
                                        input.name(), texture_count));
     }
     return materials;

@@ -1,5 +1,5 @@
-// Reading OBJ: InputFile gives lines, ObjStatements checks them, tinyobjloader takes the faces
-// apart, and what is left to do here is to collect the parts.
+// Reads OBJ. InputFile provides lines, ObjStatements checks them, tinyobjloader parses the faces,
+// and this file collects the results.
 
 #include "io/load_obj.h"
 
@@ -18,13 +18,13 @@ namespace coppice::inline v0 {
 
 namespace {
 
-/// What the callbacks work on.
+/// The state of the callbacks.
 struct ObjReading {
     LoadedMesh loaded;
     const ObjStatements* statements = nullptr;
-    ObjAttributes* attributes = nullptr;  ///< if they are wanted
-    std::vector<std::uint32_t> corners;   ///< of the current face
-    std::vector<std::int64_t> normals;    ///< of its corners, as the file has them
+    ObjAttributes* attributes = nullptr;  ///< null if attributes are not wanted
+    std::vector<std::uint32_t> corners;   ///< vertex ids of the current face
+    std::vector<std::int64_t> normals;    ///< normal indices of its corners, as in the file
 };
 
 void take_vertex(void* user_data, float /*x*/, float /*y*/, float /*z*/, float /*w*/) {
@@ -63,7 +63,7 @@ LoadedMesh load_obj(const std::filesystem::path& file, MeshAttributes* attribute
     callbacks.vertex_cb = take_vertex;
     callbacks.index_cb = take_face;
     std::istream stream(&statements);
-    stream.exceptions(std::ios::badbit);  // lets the errors of `statements` through
+    stream.exceptions(std::ios::badbit);  // passes on exceptions of `statements`
     tinyobj::LoadObjWithCallback(stream, callbacks, &reading);
 
     statements.check_forward_references();

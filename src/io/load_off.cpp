@@ -1,6 +1,5 @@
-// Reading OFF. Ours because Assimp 5.2.5 drops faces of more than nine corners, takes malformed
-// and negative indices for 0, and crashes on some damaged files:
-// docs/decisions/0001-own-ply-reader.md.
+// Reads OFF. Not by Assimp 5.2.5, which drops faces of more than nine corners, reads malformed and
+// negative indices as 0, and crashes on some damaged files: docs/decisions/0001-own-ply-reader.md.
 
 #include "io/load_off.h"
 
@@ -19,13 +18,13 @@ namespace coppice::inline v0 {
 
 namespace {
 
-/// The rows of an OFF file: its lines without comments, but for empty ones.
+/// The rows of an OFF file: its lines without comments and empty lines.
 class OffRows {
 public:
-    /// `file` must outlive this.
+    /// Reads from `file`, which must outlive this object.
     explicit OffRows(InputFile& file) : file_(file) {}
 
-    /// The next row; lives until the next call.
+    /// The next row. Valid until the next call. Throws Error(parse) at the end of the file.
     [[nodiscard]] std::string_view next() {
         while (const std::optional<std::string_view> line = file_.next_line()) {
             const std::string_view row = line->substr(0, line->find('#'));
@@ -33,7 +32,7 @@ public:
                 return row;
             }
         }
-        fail("file ends before all vertices and faces of its header");
+        fail("file ends before all vertices and faces that its header declares");
     }
 
     /// Throws Error(parse) naming the line of the current row.
@@ -45,7 +44,7 @@ private:
     InputFile& file_;
 };
 
-/// The numbers of vertices, faces and edges that stand behind the keyword, in one or more lines.
+/// Reads the numbers of vertices, faces and edges, which follow the keyword on one or more lines.
 std::array<std::int64_t, 3> read_counts(OffRows& rows) {
     std::string_view rest = rows.next();
     const std::string_view keyword = take_word(rest);
@@ -53,7 +52,8 @@ std::array<std::int64_t, 3> read_counts(OffRows& rows) {
         rows.fail("not an OFF file: it does not begin with 'OFF'");
     }
     if (keyword.find_first_of("4n") != std::string_view::npos) {
-        rows.fail(fmt::format("{} has not three dimensions", in_quotes(keyword)));
+        rows.fail(fmt::format("{} is not supported: only three-dimensional OFF files are",
+                              in_quotes(keyword)));
     }
     std::array<std::int64_t, 3> counts{};
     for (std::int64_t& count : counts) {
@@ -75,14 +75,14 @@ Vec3f parse_vertex(std::string_view row, const TextPlace& place) {
     for (float& coordinate : position) {
         const std::string_view word = take_word(row);
         if (word.empty()) {
-            place.fail("vertex of fewer than three numbers");
+            place.fail("vertex with fewer than three numbers");
         }
         coordinate = parse_coordinate(word, place);
     }
     return {position[0], position[1], position[2]};
 }
 
-/// Reads the corners of a face; a colour may stand behind them.
+/// Reads the corners of a face. Ignores a colour after them.
 void parse_face(std::string_view row, const OffRows& rows, std::size_t vertex_count,
                 std::vector<std::uint32_t>& corners) {
     const std::string_view count_word = take_word(row);
@@ -95,7 +95,7 @@ void parse_face(std::string_view row, const OffRows& rows, std::size_t vertex_co
         const std::string_view word = take_word(row);
         const std::optional<std::int64_t> index = parse_integer(word);
         if (!index) {
-            rows.fail(word.empty() ? fmt::format("face of fewer than {} indices", *corner_count)
+            rows.fail(word.empty() ? fmt::format("face with fewer than {} indices", *corner_count)
                                    : fmt::format("malformed vertex index {}", in_quotes(word)));
         }
         if (*index < 0 || static_cast<std::uint64_t>(*index) >= vertex_count) {

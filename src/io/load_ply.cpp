@@ -1,6 +1,6 @@
-// Reading PLY. Ours rather than Assimp's for speed and for errors that name their place:
-// docs/decisions/0001-own-ply-reader.md. One pass; memory grows with what the file holds, never
-// with what its header promises.
+// Reads PLY. Not by Assimp, for speed and for errors with their position:
+// docs/decisions/0001-own-ply-reader.md. One pass. Memory use grows with the contents of the file,
+// not with the counts that its header declares.
 
 #include "io/load_ply.h"
 
@@ -23,13 +23,14 @@ namespace coppice::inline v0 {
 
 namespace {
 
-/// How many rows to make room for: those promised, but no more than the file has bytes for.
+/// The number of rows to reserve memory for: as declared, but at most what the size of the file
+/// allows.
 std::size_t rows_to_reserve(const PlyElement& element, PlyFormat format, const InputFile& file) {
     const std::uint64_t row_bytes = std::max<std::uint64_t>(element.min_row_bytes(format), 1);
     return static_cast<std::size_t>(std::min(element.count, file.stored_bytes() / row_bytes));
 }
 
-/// The property of that name that is one number a row, or null.
+/// The scalar property called `name`, or null.
 const PlyProperty* find_number(const PlyElement& vertex, std::string_view name) {
     for (const PlyProperty& property : vertex.properties) {
         if (property.name == name && !property.is_list()) {
@@ -60,7 +61,7 @@ const PlyProperty& find_corners(const PlyElement& element, const InputFile& file
         "PLY element {} has no list 'vertex_indices' of integers", in_quotes(element.name)));
 }
 
-/// Reads the elements of one file, whose numbers come from a body of either kind.
+/// Reads the elements of one file. The body, ASCII or binary, provides the numbers.
 template <typename Body>
 class PlyReader {
 public:
@@ -113,7 +114,7 @@ private:
         }
     }
 
-    /// The properties of the vertices' normals, or nulls if they are not wanted or not all there.
+    /// The properties of the vertices' normals; nulls if normals are not wanted or incomplete.
     std::array<const PlyProperty*, 3> normals_wanted(const PlyElement& vertex) const {
         const std::array<const PlyProperty*, 3> found = {
             find_number(vertex, "nx"), find_number(vertex, "ny"), find_number(vertex, "nz")};
@@ -124,7 +125,7 @@ private:
         return found;
     }
 
-    /// Passes a property that is no coordinate; if it is one of `normals`, it is kept.
+    /// Reads a property that is not a coordinate, and keeps it if it is one of `normals`.
     void read_normal(const PlyProperty& property, std::span<const PlyProperty* const, 3> normals,
                      std::array<float, 3>& normal) {
         const auto axis = std::find(normals.begin(), normals.end(), &property) - normals.begin();
@@ -150,8 +151,8 @@ private:
         }
     }
 
-    /// A strip of n corners is n - 2 triangles, every other one turned; a negative index ends a
-    /// strip and begins the next.
+    /// Reads triangle strips. A strip of n corners is n - 2 triangles with alternating orientation.
+    /// A negative index ends a strip and starts the next one.
     void read_strips(const PlyElement& element) {
         if (element.count == 0) {
             return;
@@ -185,7 +186,7 @@ private:
         }
     }
 
-    /// Passes a row, with each number of its property `list` given to `take`.
+    /// Reads a row and passes each number of its list property `list` to `take`.
     template <typename Take>
     void read_row(const PlyElement& element, std::uint64_t row, const PlyProperty& list,
                   const Take& take) {
@@ -206,7 +207,7 @@ private:
     void skip_element(const PlyElement& element) {
         loaded_.report.ignored_element_count += element.count;
         if (element.properties.empty()) {
-            return;  // no bytes, whatever the count
+            return;  // rows without bytes, whatever their count
         }
         for (std::uint64_t row = 0; row < element.count; ++row) {
             body_.begin_row(element, row);

@@ -8,9 +8,10 @@
 
 namespace coppice::inline v0 {
 
-/// Reads a PLY file, ASCII or binary of either byte order, plain or gzipped: the elements
-/// `vertex`, `face` and `tristrips`, with properties in any order and of any type; other elements
-/// are passed over and counted. Without faces and strips it is a point cloud: no triangles.
+/// Reads a PLY file, ASCII or binary of either byte order, plain or gzipped. Reads the elements
+/// `vertex`, `face` and `tristrips`, with properties in any order and of any type. Other elements
+/// are skipped and counted. A file without faces and strips is a point cloud: a mesh without
+/// triangles.
 [[nodiscard]] LoadedMesh load_ply(const std::filesystem::path& file,
                                   MeshAttributes* attributes = nullptr);
 

@@ -1,5 +1,5 @@
-// Assimp runs in a process of its own (docs/decisions/0007): on damaged files it crashes, or writes
-// where it must not. What comes back is checked as if it came from a stranger.
+// Reads files through Assimp, in a separate process (docs/decisions/0007): on damaged files Assimp
+// crashes or writes out of bounds. The answer of that process is validated like untrusted input.
 
 #include "io/load_scene_file.h"
 
@@ -49,9 +49,10 @@ void append_vertices(LoadedMesh& loaded, const aiMesh& mesh, const aiMatrix4x4& 
     }
 }
 
-/// Appends the normals of a mesh, zeros if it has none.
+/// Appends the normals of a mesh; zeros if it has none.
 void append_normals(MeshAttributes& attributes, const aiMesh& mesh, const aiMatrix4x4& to_world) {
-    // Normals go by the inverse transposed; a matrix that has none flattens what it shows.
+    // Normals are transformed by the inverse transpose. A matrix without an inverse flattens the
+    // mesh.
     const aiMatrix3x3 linear(to_world);
     const bool can_invert = linear.Determinant() != 0.0F;
     const aiMatrix3x3 turn =
@@ -63,7 +64,7 @@ void append_normals(MeshAttributes& attributes, const aiMesh& mesh, const aiMatr
     }
 }
 
-/// A colour by its key (`AI_MATKEY_...` stands for all three of its parts).
+/// A colour by its key; `AI_MATKEY_...` expands to all three parts of a key.
 Vec3f color_of(const aiMaterial& material, const char* key, unsigned type, unsigned index,
                Vec3f otherwise) {
     aiColor3D color(otherwise.x, otherwise.y, otherwise.z);
@@ -72,7 +73,8 @@ Vec3f color_of(const aiMaterial& material, const char* key, unsigned type, unsig
     return {amount(color.r), amount(color.g), amount(color.b)};
 }
 
-/// A material in the terms of MTL: highlights where the file asks for them, and no mirrors.
+/// Converts a material to the terms of MTL, with highlights where the file has them, and without
+/// mirrors.
 Material to_material(const aiMaterial& from) {
     Material material;
     material.name = from.GetName().C_Str();
@@ -117,7 +119,7 @@ void append_mesh(LoadedMesh& loaded, const aiMesh& mesh, const aiMatrix4x4& to_w
     }
 }
 
-/// Appends the meshes of all nodes; a mesh that several nodes show comes several times.
+/// Appends the meshes of all nodes. A mesh that several nodes refer to is appended several times.
 void append_scene(LoadedMesh& loaded, const aiScene& scene, MeshAttributes* attributes) {
     if (attributes != nullptr) {
         for (const aiMaterial* material : std::span(scene.mMaterials, scene.mNumMaterials)) {
@@ -135,7 +137,7 @@ void append_scene(LoadedMesh& loaded, const aiScene& scene, MeshAttributes* attr
                 append_attributes(*attributes, loaded, *scene.mMeshes[mesh], to_world);
             }
         }
-        // Backwards onto the stack: the meshes come in the order of the file.
+        // Pushed in reverse order, so that meshes come in the order of the file.
         for (unsigned child = node->mNumChildren; child > 0; --child) {
             open.emplace_back(node->mChildren[child - 1], to_world);
         }
@@ -150,12 +152,13 @@ std::string format_name(const aiScene& scene) {
     return name.C_Str();
 }
 
-/// Called in a process of its own.
+/// Called in the separate process.
 void import_scene(const std::filesystem::path& file, AssimpLog& log, ImportAnswer& answer,
                   bool with_attributes) {
     LoadedMesh& loaded = answer.loaded;
     Assimp::Importer importer;
-    // No post-processing: vertices keep their order, and polygons are cut as in other formats.
+    // No post-processing: vertices keep their order, and polygons are triangulated as in other
+    // formats.
     const aiScene* const scene = importer.ReadFile(file.string(), 0);
     if (scene == nullptr || scene->mRootNode == nullptr) {
         throw file_error(ErrorCode::parse, loaded.report.file, one_line(importer.GetErrorString()));
@@ -170,7 +173,7 @@ void import_scene(const std::filesystem::path& file, AssimpLog& log, ImportAnswe
     check_has_triangles(loaded);
 }
 
-/// A legal file takes Assimp far less of either.
+/// Limits of memory and CPU time. Assimp needs far less of either for a valid file.
 IsolationLimits limits_for(std::uint64_t file_bytes) {
     constexpr std::uint64_t megabyte = std::uint64_t{1} << 20;
     return {.memory_bytes = 1024 * megabyte + 500 * file_bytes,
@@ -179,7 +182,7 @@ IsolationLimits limits_for(std::uint64_t file_bytes) {
 
 std::string import_isolated(const std::filesystem::path& file, std::uint64_t file_bytes,
                             bool with_attributes) {
-    AssimpLog log;  // here, since the copy of this process cannot wait for another's
+    AssimpLog log;  // created before the fork: the copy must not wait for a lock
     const auto work = [&] {
         ImportAnswer answer;
         answer.loaded.report.file = file.string();
@@ -220,7 +223,7 @@ bool is_scene_file_extension(const std::string& extension) {
 }
 
 LoadedMesh load_scene_file(const std::filesystem::path& file, MeshAttributes* attributes) {
-    const InputFile input(file);  // refuses what is no file or empty
+    const InputFile input(file);  // throws if it is no regular file, or empty
     const std::string bytes = import_isolated(file, input.stored_bytes(), attributes != nullptr);
     ImportAnswer answer = import_answer_from(bytes, input.name());
     if (attributes != nullptr) *attributes = std::move(answer.attributes);

@@ -10,14 +10,15 @@
 
 namespace coppice::inline v0 {
 
-/// True if Assimp reads files whose name ends in `extension`, given with its dot.
+/// True if Assimp reads files with this extension, which includes the dot.
 [[nodiscard]] bool is_scene_file_extension(const std::string& extension);
 
 /// What to add to the error of an unknown extension: the formats that Assimp would read and how to
 /// get them, or nothing where there is Assimp.
 [[nodiscard]] std::string_view missing_scene_formats() noexcept;
 
-/// Reads all meshes of a file through Assimp, by each node that shows them, in world space.
+/// Reads all meshes of a file through Assimp, once for each node that refers to them, in world
+/// space.
 [[nodiscard]] LoadedMesh load_scene_file(const std::filesystem::path& file,
                                          MeshAttributes* attributes = nullptr);
 

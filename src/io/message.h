@@ -11,11 +11,11 @@
 
 namespace coppice::inline v0 {
 
-// What one process tells another, both of this program: values one after the other, each vector
-// and string behind its length. A type with a function `exchange(archive, value)` that calls
-// `archive` with its members is written and read by that.
+// Serializes messages between two processes of this program: values one after the other, vectors
+// and strings with their length first. A type is written and read by its function
+// `exchange(archive, value)`, which calls `archive` with its members.
 
-/// Puts values into bytes.
+/// Writes values to bytes.
 class MessageWriter {
 public:
     template <typename... Values>
@@ -59,7 +59,7 @@ private:
     std::string bytes_;
 };
 
-/// Takes values out of bytes. Throws std::out_of_range where the bytes end too soon.
+/// Reads values from bytes. Throws std::out_of_range where the bytes end too early.
 class MessageReader {
 public:
     explicit MessageReader(std::string_view bytes) noexcept : rest_(bytes) {}
@@ -97,7 +97,8 @@ private:
         }
     }
 
-    /// A number of items of at least `size` bytes each: so many that they can still follow.
+    /// Reads a number of items of at least `size` bytes each. Throws if the remaining bytes cannot
+    /// hold that many.
     [[nodiscard]] std::size_t read_count(std::size_t size) {
         std::uint64_t count = 0;
         read(count);

@@ -15,8 +15,8 @@ namespace coppice::inline v0 {
 
 namespace {
 
-/// A name that no other NewFile of this machine uses now. Short, so that it fits wherever the
-/// final name does.
+/// A name that no other NewFile on this machine uses at this time. Short, so that it is valid
+/// wherever the final name is.
 std::string temporary_name() {
     static std::atomic<unsigned> next_number{0};
     return fmt::format(".coppice-{}-{}.tmp", getpid(), next_number++);
@@ -45,7 +45,7 @@ NewFile::~NewFile() {
 }
 
 void NewFile::write(std::string_view bytes) {
-    if (bytes.empty()) return;  // data() may be null, which fwrite() must not be given
+    if (bytes.empty()) return;  // data() may be null, which fwrite() does not allow
     if (std::fwrite(bytes.data(), 1, bytes.size(), stream_) < bytes.size()) {
         fail(errno);
     }
@@ -59,7 +59,7 @@ void NewFile::sync() {
 
 void NewFile::close() {
     if (stream_ == nullptr) return;
-    // Writes what is still in the buffer: a full disk may show only here.
+    // Flushes the buffer. A full disk may be reported only here.
     std::FILE* const stream = stream_;
     stream_ = nullptr;
     if (std::fclose(stream) != 0) {

@@ -6,15 +6,15 @@
 
 namespace coppice::inline v0 {
 
-/// A file while it is being written: under a temporary name in the folder of its final one, so
-/// that the last step is a rename within a file system, all or nothing.
+/// A file that is being written. It has a temporary name in the folder of the final file, so that
+/// the last step is a rename within a file system: all or nothing.
 class NewFile {
 public:
-    /// Throws Error(io) if `file` is anything but a regular file or absent, or if no file can be
-    /// made in its folder.
+    /// Creates a temporary file. Throws Error(io) if `file` exists and is not a regular file, or if
+    /// no file can be created in its folder.
     explicit NewFile(const std::filesystem::path& file);
 
-    /// Removes the temporary file unless commit() was reached.
+    /// Removes the temporary file unless commit() succeeded.
     ~NewFile();
 
     NewFile(const NewFile&) = delete;
@@ -25,17 +25,17 @@ public:
     /// Appends bytes. Throws Error(io).
     void write(std::string_view bytes);
 
-    /// Waits until all that was written is on the disk. Throws Error(io).
+    /// Waits until everything written is on the disk. Throws Error(io).
     void sync();
 
-    /// Ends the writing: only commit() may follow. Throws Error(io).
+    /// Closes the file. Only commit() may follow. Throws Error(io).
     void close();
 
-    /// Gives the file its final name. Throws Error(io).
+    /// Renames the file to its final name. Throws Error(io).
     void commit();
 
 private:
-    /// Throws Error(io) with the reason of the system call that failed last.
+    /// Throws Error(io) with the text of a system error number.
     [[noreturn]] void fail(int error_number) const;
 
     std::filesystem::path file_;

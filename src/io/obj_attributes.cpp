@@ -1,5 +1,6 @@
-// Materials and normals of an OBJ file. Nothing here fails the loading: a mesh without its library
-// is still a mesh. Materials are numbered by their first use, and looked up when all is read.
+// Collects materials and normals of an OBJ file. Errors in them do not fail the loading, because a
+// mesh without its material library is still usable. Materials are numbered by first use and looked
+// up at the end of the file.
 
 #include "io/obj_attributes.h"
 
@@ -19,9 +20,9 @@ namespace coppice::inline v0 {
 
 namespace {
 
-constexpr std::size_t kept_warnings = 16;  // a hostile file could have millions
+constexpr std::size_t kept_warnings = 16;  // a malicious file could cause millions
 
-/// The path of a library as written in an OBJ file, maybe on Windows.
+/// The path of a material library as named in an OBJ file, which may use Windows separators.
 std::filesystem::path library_path(const std::filesystem::path& obj, std::string_view name) {
     std::string path(name);
     std::replace(path.begin(), path.end(), '\\', '/');
@@ -67,7 +68,7 @@ void ObjAttributes::use_material(std::string_view name) {
 void ObjAttributes::add_face(std::span<const std::int64_t> normals) {
     const auto normal_count = static_cast<std::int64_t>(attributes_.normals.size());
     const auto index_of = [&](std::size_t corner) {
-        // Out of range, as one that is to come may be for now, is seen to at the end.
+        // Indices out of range are checked at the end: the normal may follow later in the file.
         const std::int64_t given = normals[corner];
         const std::int64_t index = given > 0 ? given - 1 : normal_count + given;
         const bool is_index = given != 0 && index >= 0 && index < MeshAttributes::none;
@@ -89,7 +90,7 @@ void ObjAttributes::finish() {
 
 void ObjAttributes::drop_unknown_normals() {
     if (malformed_normal_count_ > 0) {
-        warn(fmt::format("{}: {} malformed numbers in normals, taken for 0", file_,
+        warn(fmt::format("{}: {} malformed numbers in normals, read as 0", file_,
                          malformed_normal_count_));
     }
     if (attributes_.normals.empty()) {
@@ -105,13 +106,13 @@ void ObjAttributes::drop_unknown_normals() {
         }
     }
     if (unknown_count > 0) {
-        warn(fmt::format("{}: {} corners with normals out of range; left out", file_,
-                         unknown_count));
+        warn(
+            fmt::format("{}: {} corners with normals out of range, ignored", file_, unknown_count));
     }
 }
 
 void ObjAttributes::load_libraries(std::string_view names) {
-    // A name may have blanks, or there may be several: the file decides.
+    // The name may contain blanks, or there may be several names. Existing files decide.
     if (is_file(library_path(file_, names))) {
         load_library(names);
         return;
@@ -146,9 +147,10 @@ void ObjAttributes::find_materials() {
     }
     if (attributes_.materials.empty()) attributes_.triangle_materials = {};
     if (!unknown.empty() && (!known_.empty() || libraries_.empty())) {
-        warn(fmt::format("{}: {} of {} materials are in no material file and grey; the first: {}",
-                         file_, unknown.size(), attributes_.materials.size(),
-                         in_quotes(unknown.front())));
+        warn(fmt::format(
+            "{}: {} of {} materials are not defined in any material file and become grey; the "
+            "first: {}",
+            file_, unknown.size(), attributes_.materials.size(), in_quotes(unknown.front())));
     }
     if (attributes_.warnings.size() > kept_warnings) {
         const std::size_t dropped_count = attributes_.warnings.size() - kept_warnings;

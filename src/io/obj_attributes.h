@@ -11,21 +11,23 @@
 
 namespace coppice::inline v0 {
 
-/// Collects what an OBJ file says beside its geometry: normals (vn) and materials (mtllib, usemtl).
+/// Collects the attributes in an OBJ file: normals (vn) and materials (mtllib, usemtl).
 class ObjAttributes {
 public:
-    /// `file` is the OBJ file's name: its libraries are found beside it.
+    /// Collects into `attributes`. `file` is the path of the OBJ file; material libraries are found
+    /// relative to it.
     ObjAttributes(std::string_view file, MeshAttributes& attributes)
         : file_(file), attributes_(attributes) {}
 
-    /// Takes a statement; false if it is of no kind that is collected here.
+    /// Processes a statement. Returns false if it is of no kind that is collected here.
     bool take_statement(std::string_view keyword, std::string_view rest);
 
-    /// Takes a face that was cut into a fan of triangles, with its corners' normal indices as the
-    /// file has them: from 1, relative if negative, 0 for none.
+    /// Adds a face that was cut into a fan of triangles. `normals` are its corners' normal indices
+    /// as in the file: from 1, relative if negative, 0 for none.
     void add_face(std::span<const std::int64_t> normals);
 
-    /// Reads the libraries and looks the used materials up, at the end of the file.
+    /// Reads the material libraries and looks up the used materials. Call it at the end of the
+    /// file.
     void finish();
 
 private:
@@ -39,9 +41,9 @@ private:
     std::string file_;
     MeshAttributes& attributes_;
     std::unordered_map<std::string, std::uint32_t> used_;  ///< names to indices of materials
-    std::uint32_t material_ = MeshAttributes::none;        ///< of the faces to come
+    std::uint32_t material_ = MeshAttributes::none;        ///< material of the following faces
     std::vector<std::string> libraries_;                   ///< `mtllib` lines
-    std::vector<Material> known_;                          ///< in the libraries
+    std::vector<Material> known_;                          ///< materials defined in the libraries
     std::uint64_t malformed_normal_count_ = 0;
 };
 

@@ -13,8 +13,8 @@ namespace coppice::inline v0 {
 
 namespace {
 
-/// The first index of a face corner, which must be one of v, v/vt, v//vn, v/vt/vn with integers.
-/// Nothing if it is not. vt and vn are not checked against the file here.
+/// The vertex index of a face corner, which must have the form v, v/vt, v//vn or v/vt/vn with
+/// integers; nothing if it does not. vt and vn are not checked against the file here.
 std::optional<std::int64_t> vertex_index(std::string_view corner) {
     const char* const end = corner.data() + corner.size();
     std::array<std::int64_t, 3> indices{};
@@ -57,7 +57,7 @@ bool ObjStatements::next_statement() {
         if (keyword == "v") {
             vertex_ = parse_vertex(rest);
             ++vertex_count_;
-            text_ = "v \n";  // enough to be told of it
+            text_ = "v \n";  // enough for tinyobjloader to report a vertex
             return true;
         }
         if (keyword == "f") {
@@ -100,11 +100,11 @@ Vec3f ObjStatements::parse_vertex(std::string_view values) const {
         if (count < position.size()) {
             position[count] = parse_coordinate(word, place());
         } else if (!parse_float(word)) {
-            place().fail(fmt::format("malformed number {} behind a vertex", in_quotes(word)));
+            place().fail(fmt::format("malformed number {} after a vertex", in_quotes(word)));
         }
         ++count;
     }
-    // x y z, or with a weight or a colour or both.
+    // x y z, optionally with a weight, a colour, or both.
     constexpr std::array<std::size_t, 4> known_counts = {3, 4, 6, 7};
     if (std::find(known_counts.begin(), known_counts.end(), count) == known_counts.end()) {
         place().fail(fmt::format("vertex of {} numbers (3, 4, 6 or 7 expected)", count));
@@ -137,7 +137,8 @@ void ObjStatements::check_index(std::int64_t index) {
     if (index < 0) {
         ++report_.negative_index_count;
     }
-    // The first index beyond all vertices will be among those beyond all indices before it.
+    // If any index exceeds the final number of vertices, the first such index is greater than all
+    // before it, so it is sufficient to keep those maxima.
     if (index > vertex_count_ &&
         (forward_references_.empty() || index > forward_references_.back().index)) {
         forward_references_.push_back({line_, index});

@@ -18,36 +18,39 @@ namespace coppice::inline v0 {
 
 /// The vertex and face statements of an OBJ file, as a stream for tinyobjloader.
 ///
-/// tinyobjloader knows no line numbers, takes whatever it cannot read for 0 (`nan`, `1x`, the
-/// words of a comment behind a face) and does not join continued lines. So it is given one whole
-/// statement at a time, and only after the checks here; while it handles one, line() is its line.
-/// Statements of other kinds are counted in the report and withheld.
+/// tinyobjloader has no line numbers, reads malformed values as 0 (`nan`, `1x`, the words of a
+/// comment after a face) and does not join continued lines. So it receives one whole statement at a
+/// time, after the checks here. While it processes a statement, line() is its line. Statements of
+/// other kinds are counted in the report and not passed on.
 class ObjStatements : public std::streambuf {
 public:
-    /// All must outlive this. `attributes`, if given, gets the statements of other kinds first.
+    /// Reads from `file` and counts in `report`. `attributes`, if not null, receives the statements
+    /// of other kinds first. All must outlive this object.
     ObjStatements(InputFile& file, LoadReport& report, ObjAttributes* attributes)
         : file_(file), report_(report), attributes_(attributes) {}
 
-    /// Coordinates of the current statement, a vertex. tinyobjloader's own are not the nearest
+    /// The coordinates of the current statement, a vertex. tinyobjloader's own are not the nearest
     /// floats: it reads 432.46302795410156251 one unit in the last place too low.
     [[nodiscard]] Vec3f vertex() const noexcept { return vertex_; }
 
-    /// Throws Error(parse) for the first face with a vertex that the whole file does not define.
+    /// Throws Error(parse) for the first face that refers to a vertex which the whole file does not
+    /// define.
     void check_forward_references() const;
 
 protected:
     int_type underflow() override;
 
 private:
-    /// A face index beyond the vertices so far, and beyond all such before.
+    /// A face index beyond the vertices so far, and greater than all earlier ones.
     struct ForwardReference {
         std::size_t line;
         std::int64_t index;
     };
 
-    /// Reads to the end of the next vertex or face statement; false if there is none.
+    /// Reads the next vertex or face statement. Returns false if there is none.
     bool next_statement();
-    /// Reads a line and those that continue it, without comments; false at the end of the file.
+    /// Reads a line and its continuation lines, without comments. Returns false at the end of the
+    /// file.
     bool next_joined_line();
     [[nodiscard]] Vec3f parse_vertex(std::string_view values) const;
     void check_face(std::string_view corners);
@@ -59,7 +62,7 @@ private:
     LoadReport& report_;
     ObjAttributes* attributes_;
     std::string text_;      ///< the current statement
-    std::size_t line_ = 0;  ///< its first line
+    std::size_t line_ = 0;  ///< number of its first line
     Vec3f vertex_;
     std::int64_t vertex_count_ = 0;
     std::vector<ForwardReference> forward_references_;

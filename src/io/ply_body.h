@@ -13,26 +13,26 @@
 
 namespace coppice::inline v0 {
 
-/// The numbers of an ASCII PLY file, in the order of the file: a row is a line. Has the same
-/// members as BinaryPlyBody. Throws Error(parse) naming the line.
+/// Reads the numbers of an ASCII PLY file in order. A row is a line. Has the same members as
+/// BinaryPlyBody. Throws Error(parse) naming the line.
 class AsciiPlyBody {
 public:
     /// `file` has just given the end of its header, and outlives this.
     explicit AsciiPlyBody(InputFile& file) : file_(file) {}
 
     void begin_row(const PlyElement& element, std::uint64_t row);
-    /// Fails if the row has numbers left.
+    /// Ends a row. Throws Error(parse) if it has numbers left.
     void end_row();
 
-    /// A finite float; fails for any other number.
+    /// Reads a finite float. Throws Error(parse) for any other number.
     [[nodiscard]] float next_coordinate(PlyType type);
-    /// Any number as a float.
+    /// Reads any number as a float.
     [[nodiscard]] float next_value(PlyType type);
     [[nodiscard]] std::int64_t next_integer(PlyType type);
-    /// Passes over `count` numbers.
+    /// Skips `count` numbers.
     void skip(PlyType type, std::uint64_t count);
 
-    /// Bytes behind the last row, but for white space.
+    /// The number of bytes after the last row, without white space.
     [[nodiscard]] std::uint64_t count_trailing_bytes() { return file_.count_trailing_text(); }
 
     [[noreturn]] void fail(std::string_view message) const;
@@ -41,11 +41,10 @@ private:
     [[nodiscard]] std::string_view next_word();
 
     InputFile& file_;
-    std::string_view rest_;  ///< of the current row
+    std::string_view rest_;  ///< unread part of the current row
 };
 
-/// The numbers of a binary PLY file, in the order of the file. Throws Error(parse) naming the
-/// element and row.
+/// Reads the numbers of a binary PLY file in order. Throws Error(parse) naming the element and row.
 class BinaryPlyBody {
 public:
     /// `file` has just given the end of its header, and outlives this.
@@ -76,7 +75,7 @@ public:
 private:
     [[noreturn]] void fail_truncated() const;
 
-    /// Any PLY scalar is exact in a double.
+    /// Reads any PLY scalar, all of which are exact in a double.
     [[nodiscard]] double next_number(PlyType type) {
         switch (type) {
             case PlyType::int8:
@@ -115,7 +114,7 @@ private:
 
     InputFile& file_;
     bool is_swapped_;
-    const PlyElement* element_ = nullptr;  ///< of the current row
+    const PlyElement* element_ = nullptr;  ///< element of the current row
     std::uint64_t row_ = 0;
 };
 

@@ -31,7 +31,7 @@ constexpr std::array<std::pair<std::string_view, PlyType>, 16> type_names = {{
     {"float64", PlyType::float64},
 }};
 
-/// Far beyond any real file; keeps hostile headers from costing quadratic time.
+/// Far above the number in any real file. Limits the quadratic time of malicious headers.
 constexpr std::size_t max_declarations = 1024;
 
 PlyType parse_type(std::string_view word, const TextPlace& place) {
@@ -181,7 +181,7 @@ PlyHeader read_ply_header(InputFile& file) {
             place.fail(fmt::format("unknown word {} in the PLY header", in_quotes(keyword)));
         }
     }
-    TextPlace{file.name(), file.line_number()}.fail("PLY header without an end");
+    TextPlace{file.name(), file.line_number()}.fail("PLY header without 'end_header'");
 }
 
 }  // namespace coppice::inline v0

@@ -22,23 +22,23 @@ enum class PlyType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, f
     return type != PlyType::float32 && type != PlyType::float64;
 }
 
-/// A column of an element: a scalar, or a list with a count in front.
+/// A property of an element: a scalar, or a list preceded by its count.
 struct PlyProperty {
     std::string name;
     PlyType type = PlyType::float32;
-    std::optional<PlyType> count_type;  ///< of a list
+    std::optional<PlyType> count_type;  ///< type of the count of a list; none for a scalar
 
     [[nodiscard]] bool is_list() const noexcept { return count_type.has_value(); }
 };
 
-/// A table of the file: `count` rows of the same properties.
+/// An element: a table of `count` rows with the same properties.
 struct PlyElement {
     std::string name;
     std::uint64_t count = 0;
     std::vector<PlyProperty> properties;
-    std::size_t line = 0;  ///< where it is declared
+    std::size_t line = 0;  ///< line of its declaration
 
-    /// Bytes that a row has at least: in text a digit and a gap for each number.
+    /// The least number of bytes of a row. In text, a digit and a separator for each number.
     [[nodiscard]] std::uint64_t min_row_bytes(PlyFormat format) const noexcept;
 };
 
@@ -46,11 +46,11 @@ struct PlyHeader {
     PlyFormat format = PlyFormat::ascii;
     std::vector<PlyElement> elements;  ///< in the order of the file
 
-    /// Null if the file has no such element.
+    /// The element called `name`, or null.
     [[nodiscard]] const PlyElement* find_element(std::string_view name) const noexcept;
 };
 
-/// Reads from the start of the file to the end of the header. Throws Error(parse).
+/// Reads the header, from the start of the file. Throws Error(parse) if it is malformed.
 [[nodiscard]] PlyHeader read_ply_header(InputFile& file);
 
 }  // namespace coppice::inline v0

@@ -21,14 +21,14 @@ namespace coppice::inline v0 {
 
 namespace {
 
-/// Bytes of a mesh on their way into a file, in pieces: no mesh is ever in memory as text.
+/// Writes a mesh to a file in chunks, so that the whole text is never in memory.
 class ChunkWriter {
 public:
     explicit ChunkWriter(NewFile& file) : file_(file) {}
 
     fmt::memory_buffer& buffer() noexcept { return buffer_; }
 
-    /// To be called after each item, small against a chunk.
+    /// Call it after each item, which must be small compared with a chunk.
     void flush_if_full() {
         if (buffer_.size() >= chunk_bytes) {
             flush();
@@ -55,7 +55,7 @@ void write_obj(TriangleMeshView mesh, NewFile& file) {
         chunks.flush_if_full();
     }
     for (const TriangleIndices& corners : mesh.triangles()) {
-        // OBJ counts from 1; in 64 bits, for the last id would wrap around.
+        // OBJ counts from 1. Uses 64 bits, because the last id would wrap around in 32.
         fmt::format_to(out, FMT_COMPILE("f {} {} {}\n"), corners[0] + std::uint64_t{1},
                        corners[1] + std::uint64_t{1}, corners[2] + std::uint64_t{1});
         chunks.flush_if_full();
@@ -65,7 +65,7 @@ void write_obj(TriangleMeshView mesh, NewFile& file) {
 
 void write_ply(TriangleMeshView mesh, NewFile& file) {
     static_assert(std::endian::native == std::endian::little && sizeof(Vec3f) == 12);
-    // Many readers know no list of uint; ours may hold ids that no int can.
+    // Uses int where possible: many readers do not support lists of uint.
     const bool fits_int = mesh.vertices().size() <= std::numeric_limits<std::int32_t>::max();
     file.write(
         fmt::format("ply\n"
@@ -90,24 +90,25 @@ void write_ply(TriangleMeshView mesh, NewFile& file) {
     chunks.flush();
 }
 
-/// Refuses what load_mesh would refuse to read back.
+/// Throws Error for a mesh that load_mesh() would reject.
 void check_is_writable(TriangleMeshView mesh, bool is_obj, const std::string& file) {
     const auto is_in_range = [&](const TriangleIndices& corners) {
         return *std::max_element(corners.begin(), corners.end()) < mesh.vertices().size();
     };
     if (!std::all_of(mesh.vertices().begin(), mesh.vertices().end(), is_finite)) {
         throw file_error(ErrorCode::invalid_argument, file,
-                         "mesh with a vertex that is not finite");
+                         "the mesh has a vertex that is not finite");
     }
     if (!std::all_of(mesh.triangles().begin(), mesh.triangles().end(), is_in_range)) {
-        throw file_error(ErrorCode::invalid_argument, file, "mesh with an index out of range");
+        throw file_error(ErrorCode::invalid_argument, file,
+                         "the mesh has a vertex index out of range");
     }
     if (mesh.vertices().empty()) {
-        throw file_error(ErrorCode::unsupported, file, "mesh without vertices");
+        throw file_error(ErrorCode::unsupported, file, "the mesh has no vertices");
     }
     if (is_obj && mesh.triangles().empty()) {
         throw file_error(ErrorCode::unsupported, file,
-                         "mesh without triangles; a point cloud needs a .ply file");
+                         "the mesh has no triangles: save a point cloud as .ply");
     }
 }
 

@@ -69,7 +69,7 @@ std::optional<std::int64_t> parse_integer(std::string_view word) noexcept {
 
 std::optional<float> parse_float(std::string_view word) noexcept {
     if (word.starts_with('+') && !word.starts_with("+-")) {
-        word.remove_prefix(1);  // from_chars takes no plus sign
+        word.remove_prefix(1);  // from_chars() does not accept a plus sign
     }
     float value = 0.0F;
     const char* const end = word.data() + word.size();
@@ -78,7 +78,7 @@ std::optional<float> parse_float(std::string_view word) noexcept {
         return std::nullopt;
     }
     if (problem == std::errc::result_out_of_range) {
-        // Too large or too small for a float? A long double reaches far beyond it on both sides.
+        // Distinguishes overflow from underflow of float: a long double has a much greater range.
         long double wide = std::numeric_limits<long double>::infinity();
         std::from_chars(word.data(), end, wide);
         value =

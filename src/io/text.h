@@ -8,7 +8,7 @@
 
 namespace coppice::inline v0 {
 
-/// A line of a text file, for the errors in it.
+/// A line of a text file, for error messages.
 struct TextPlace {
     std::string_view file;
     std::size_t line = 0;
@@ -17,8 +17,8 @@ struct TextPlace {
     [[noreturn]] void fail(std::string_view message) const;
 };
 
-/// Takes the first word, bounded by blanks and tabs, off the front of `rest`; empty if none is
-/// left.
+/// Removes the first word, which ends at a blank or tab, from the front of `rest` and returns it;
+/// empty if there is none.
 [[nodiscard]] inline std::string_view take_word(std::string_view& rest) noexcept {
     const auto is_gap = [](char c) { return c == ' ' || c == '\t'; };
     std::size_t begin = 0;
@@ -42,20 +42,20 @@ struct TextPlace {
 
 [[nodiscard]] std::string to_lower(std::string_view text);
 
-/// `text` fit for a message of one line: cut short, control characters as `?`.
+/// `text` in a form fit for a one-line message: shortened, with control characters replaced by `?`.
 [[nodiscard]] std::string printable(std::string_view text);
 
 /// printable(text) between single quotes.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-/// The integer that the whole of `word` spells; nothing if it spells none or one beyond 64 bits.
+/// Parses all of `word` as an integer. Returns nothing if it is none, or does not fit in 64 bits.
 [[nodiscard]] std::optional<std::int64_t> parse_integer(std::string_view word) noexcept;
 
-/// The float nearest to the decimal number that the whole of `word` spells; infinite beyond the
-/// range of float, nothing if it spells no number.
+/// Parses all of `word` as a decimal number and returns the nearest float; infinite beyond the
+/// range of float. Returns nothing if it is no number.
 [[nodiscard]] std::optional<float> parse_float(std::string_view word) noexcept;
 
-/// The coordinate that `word` spells; fails at `place` unless it is a finite float.
+/// Parses `word` as a coordinate. Throws Error(parse) at `place` unless it is a finite float.
 [[nodiscard]] float parse_coordinate(std::string_view word, const TextPlace& place);
 
 }  // namespace coppice::inline v0

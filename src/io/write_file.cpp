@@ -14,9 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where links lead from a name, also to what is not there yet.
+/// The target of a chain of symbolic links. It need not exist.
 fs::path follow_links(fs::path file) {
-    constexpr int most_links = 40;  // as many as Linux follows
+    constexpr int most_links = 40;  // the limit of Linux
     std::error_code problem;
     for (int i = 0; i < most_links && fs::is_symlink(file, problem); ++i) {
         file = file.parent_path() / fs::read_symlink(file, problem);
@@ -29,10 +29,12 @@ fs::path follow_links(fs::path file) {
 std::filesystem::path write_target(const std::filesystem::path& file) {
     std::error_code problem;
     const fs::file_status status = fs::status(file, problem);
-    if (status.type() == fs::file_type::none) {  // a name too long, links in a circle
+    if (status.type() == fs::file_type::none) {  // name too long, or a cycle of links
         throw file_error(ErrorCode::io, file.string(), "cannot write: " + problem.message());
     }
-    if (fs::is_directory(status)) throw file_error(ErrorCode::io, file.string(), "is a directory");
+    if (fs::is_directory(status)) {
+        throw file_error(ErrorCode::io, file.string(), "is a directory, not a file");
+    }
     if (fs::exists(status) && !fs::is_regular_file(status)) {
         throw file_error(ErrorCode::io, file.string(), "not a regular file");
     }

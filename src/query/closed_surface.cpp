@@ -1,9 +1,10 @@
-// The sign of a distance is that of the point's offset from the surface along a normal: of a face
-// at its inside, the sum of both faces' on an edge, and on a corner the sum of all faces' around
-// it, each weighted by its angle. With this choice, and with no simpler one, the sign is right
-// wherever the nearest point lies. Offsets are taken from a corner of the nearest feature, which is
-// exact, rather than from the nearest point, which is rounded; along an edge both give the same.
-// Edges are found by sorting, O(N log N).
+// The sign of a distance is the sign of the point's offset from the surface along a pseudonormal.
+// That is the normal of the face, on an edge the sum of both faces' normals, and on a corner the
+// sum of all its faces' normals weighted by their angles. With this weighting, and with no simpler
+// one, the sign is right wherever the nearest point lies. Offsets are taken from a corner of the
+// nearest feature rather than from the nearest point, because the corner is exact and the nearest
+// point is rounded. Along an edge both give the same sign. Edges are matched by sorting, O(N log
+// N).
 // Source: [Baerentzen2005] sec. 3 and 4.
 
 #include "query/closed_surface.h"
@@ -36,7 +37,8 @@ auto key_of(Vec3f p) noexcept {
     return std::make_tuple(p.x + 0.0F, p.y + 0.0F, p.z + 0.0F);
 }
 
-// The vertices that triangles use; others may be anything, also NaN, which cannot be sorted.
+// The vertices that triangles use. Unused vertices are left out: they may be NaN, which cannot be
+// sorted.
 std::vector<std::uint32_t> used_vertices(TriangleMeshView mesh) {
     mesh.require_valid(0, mesh.size());
     std::vector<bool> is_used(mesh.vertices().size(), false);
@@ -58,18 +60,18 @@ std::string text_of(Vec3f p) {
 
 }  // namespace
 
-// One of a triangle's edges, its ends in ascending order.
+// An edge of one triangle, with its ends in ascending order.
 struct ClosedSurface::EdgeSide {
     std::uint32_t lower;
     std::uint32_t upper;
     std::uint32_t triangle;
     std::uint8_t edge;
-    bool is_forward;  // from lower to upper
+    bool is_forward;  // the triangle traverses it from lower to upper
 };
 
 ClosedSurface::ClosedSurface(TriangleMeshView mesh) {
     if (mesh.size() == 0) {
-        throw Error(ErrorCode::unsupported, "a mesh without triangles is not closed");
+        throw Error(ErrorCode::unsupported, "the mesh is not closed: it has no triangles");
     }
     weld(mesh);
     connect();
@@ -131,7 +133,7 @@ void ClosedSurface::connect() {
     }
 }
 
-// Connects the triangles of one edge, [first, last).
+// Connects the two triangles of one edge, whose sides are [first, last).
 void ClosedSurface::connect_edge(const EdgeSide* first, const EdgeSide* last) {
     std::array<const EdgeSide*, 2> sides{};
     std::size_t count = 0;
@@ -181,7 +183,8 @@ Vec3d ClosedSurface::unit_normal(std::uint32_t triangle) const noexcept {
     return unit(cross(corner(triangle, 1) - origin, corner(triangle, 2) - origin));
 }
 
-// Of a collapsed triangle's edge it is that of the edge of the other triangles.
+// The pseudonormal of an edge. For a collapsed triangle it is that of the same edge of a neighbour
+// that is not collapsed.
 Vec3d ClosedSurface::edge_normal(std::uint32_t triangle, std::size_t edge) const noexcept {
     const std::uint32_t other = across_[triangle][edge];
     if (other == none) return {};

@@ -9,14 +9,15 @@
 
 namespace coppice::inline v0 {
 
-/// What is needed of a closed mesh to tell inside from outside: its corners, welded by position,
-/// with their pseudonormals, and which triangle is across each edge.
+/// The parts of a closed mesh that decide between inside and outside: its corners, welded by
+/// position, with their pseudonormals, and the triangle across each edge.
 class ClosedSurface {
 public:
     /// Throws Error(unsupported) if the mesh is not closed; see SignedDistance.
     explicit ClosedSurface(TriangleMeshView mesh);
 
-    /// True if a point is inside, given what of the surface is nearest to it.
+    /// True if a point is inside the surface. `nearest` must be the nearest triangle and its
+    /// feature.
     [[nodiscard]] bool is_inside(Vec3f point, const SurfaceNeighbor& nearest) const noexcept;
 
 private:
@@ -35,8 +36,8 @@ private:
     std::vector<Vec3f> corners_;
     std::vector<Vec3d> corner_normals_;  // angle-weighted
     std::vector<TriangleIndices> triangles_;
-    std::vector<TriangleIndices> across_;  // the triangle across each edge; of a collapsed
-                                           // triangle, one that has the edge
+    std::vector<TriangleIndices> across_;  // the triangle across each edge; for a collapsed
+                                           // triangle, one that is not and has the edge
     double outward_ = 1.0;                 // -1 if the mesh is inside out
 };
 

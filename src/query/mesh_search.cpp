@@ -13,7 +13,7 @@ namespace {
 
 using Bits = std::vector<std::uint64_t>;
 
-// Sets a bit and returns whether it was set; makes room for it if need be.
+// Sets a bit and returns its old value. Extends the array as needed.
 bool test_and_set(Bits& bits, std::uint32_t at) {
     const std::size_t word = at / 64;
     if (word >= bits.size()) bits.resize(std::max<std::size_t>(word + 1, 2 * bits.size()));
@@ -23,7 +23,7 @@ bool test_and_set(Bits& bits, std::uint32_t at) {
     return was_set;
 }
 
-// Triangles that are in more than one leaf; empty if there are none.
+// One bit per triangle, set if it is in more than one block. Empty if there is no such triangle.
 Bits find_repeated(const Bvh8& tree) {
     Bits seen;
     Bits repeated;

@@ -7,15 +7,16 @@
 
 namespace coppice::inline v0 {
 
-/// The nearest of what is offered, as many as a span has room for: a heap in that span with the
-/// last of them on top.
+/// Collects the nearest results, as many as a span has room for. The span is a heap with the
+/// farthest result on top.
 template <typename Found>
 class NearestSet {
 public:
-    /// `found` must not be empty. Nothing farther than sqrt(limit) is of interest.
+    /// Collects into `found`, which must not be empty. Results farther than sqrt(limit) are
+    /// ignored.
     NearestSet(std::span<Found> found, double limit) noexcept : found_(found), limit_(limit) {}
 
-    /// What is farther than the square root of this need not be offered.
+    /// Results with a squared distance above this need not be inserted.
     [[nodiscard]] double limit() const noexcept { return limit_; }
 
     [[nodiscard]] bool contains(std::uint32_t prim) const noexcept {
@@ -35,7 +36,7 @@ public:
         limit_ = found_.front().distance_squared;
     }
 
-    /// Puts them in order and returns how many there are.
+    /// Sorts the results and returns their number.
     std::size_t sort() noexcept {
         std::sort(found_.begin(), end(), is_before);
         return size_;
@@ -53,7 +54,7 @@ private:
         return found_.begin() + static_cast<std::ptrdiff_t>(size_);
     }
 
-    // Lets `other` sink from the top in place of what was there.
+    // Replaces the result on top by `other` and restores the heap.
     void replace_last(const Found& other) noexcept {
         std::size_t place = 0;
         for (;;) {

@@ -18,7 +18,7 @@ std::size_t row_of(std::size_t reference_count) noexcept {
     return reference_count + point_lanes;
 }
 
-// The coordinates of the points that a tree refers to, axis by axis, each padded with zeros.
+// The coordinates of the points that a tree refers to: a row for each axis, padded with zeros.
 std::vector<float> gather(std::span<const std::uint32_t> references, PointCloudView points) {
     const std::size_t row = row_of(references.size());
     std::vector<float> coordinates(3 * row);

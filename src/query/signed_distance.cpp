@@ -18,7 +18,8 @@ SignedNeighbor SignedDistance::nearest(Vec3f point) const noexcept {
     const SurfaceNeighbor nearest = search_.nearest(point);
     if (!nearest.is_found()) return {std::numeric_limits<double>::quiet_NaN(), nearest};
     const double distance = nearest.distance();
-    // From afar all triangles are equally near, and the one taken need not face the point.
+    // Far away, rounding makes all triangles equally near, and the one found may face away from the
+    // point. Hence the test against the bounding box: no point outside it is inside the surface.
     const bool is_negative = distance > 0.0 && search_.tree().bounds().contains(point) &&
                              surface_->is_inside(point, nearest);
     return {is_negative ? -distance : distance, nearest};

@@ -1,8 +1,9 @@
-// Equidistant (systematic) draws in Morton order without sorting. The primitives are put into
-// buckets of a Morton curve; the sum of probabilities before a primitive is the sum of the buckets
-// before its own plus what its bucket has so far, so one pass finds the sums and one draws whoever
-// the next multiple falls on. Within a bucket the order is that of the ids. O(N), two passes over
-// the boxes, in chunks at the same time; chunks depend on N alone, and so does every sum.
+// Equidistant (systematic) sampling in Morton order without sorting. The primitives are put into
+// buckets along a Morton curve, in order of their ids within a bucket. The sum of probabilities
+// before a primitive is the sum of the preceding buckets plus the sum of its own bucket so far. So
+// one pass computes the sums per bucket, and a second pass draws each primitive whose probability
+// interval contains the next multiple of 1. O(N): two passes over the boxes, in parallel by chunks.
+// Chunks depend on N alone, and so does every sum.
 // Source: [Tessari2023] sec. 3.2 (equidistant along the Morton-ordered CDF), [Morton1966].
 
 #include "sample/equidistant.h"
@@ -20,19 +21,21 @@
 namespace coppice::inline v0 {
 namespace {
 
-// About so many primitives share a bucket, and so many draws of 1 % then fall into each.
+// The target number of primitives per bucket. At a sample rate of 1 %, about one draw falls into
+// each bucket.
 constexpr std::uint32_t bucket_size = 128;
 constexpr unsigned max_bits_per_axis = 4;
 
-// Chunks are few, as each has a sum for every bucket.
+// A small limit, since each chunk stores a sum for every bucket.
 constexpr std::size_t max_chunk_count = 32;
 constexpr std::size_t min_chunk_size = 4096;
 
 Vec3f centroid_of(const Aabb& box) {
-    return 0.5F * box.lower + 0.5F * box.upper;  // halved first: a float cannot overflow so
+    return 0.5F * box.lower + 0.5F * box.upper;  // halved first, so that a float cannot overflow
 }
 
-// A quarter of the diagonal, for only ratios matter and no finite box then overflows a float.
+// A quarter of the diagonal, so that a float does not overflow for any finite box. Only ratios of
+// diagonals matter.
 float diagonal_of(const Aabb& box) {
     const double x = box.extent(Axis::x);
     const double y = box.extent(Axis::y);
@@ -40,7 +43,8 @@ float diagonal_of(const Aabb& box) {
     return static_cast<float>(0.25 * std::sqrt(x * x + y * y + z * z));
 }
 
-// std::ceil() of what is greater than -1: a call of that costs more than all else here.
+// std::ceil() for values greater than -1. A call to std::ceil() would cost more than the rest of
+// the loop.
 std::int64_t ceil(double value) {
     const auto whole = static_cast<std::int64_t>(value);
     return whole + (static_cast<double>(whole) < value ? 1 : 0);
@@ -62,7 +66,7 @@ public:
     [[nodiscard]] std::size_t count() const { return std::size_t{1} << (3 * bits_); }
 
     [[nodiscard]] std::uint16_t at(const Vec3f& centroid) const {
-        // The bits of 0 to 15, two apart.
+        // The bits of 0 to 15, each two positions apart.
         constexpr std::array<std::uint16_t, 16> spread{0,   1,   8,   9,   64,  65,  72,  73,
                                                        512, 513, 520, 521, 576, 577, 584, 585};
         std::uint32_t code = 0;
@@ -90,7 +94,7 @@ struct Chunks {
     std::size_t count;
 };
 
-// Calls visit(id, box) for the primitives in [begin, end), their boxes fetched some at a time.
+// Calls visit(id, box) for the primitives in [begin, end). Boxes are fetched several at a time.
 template <typename Visit>
 void for_boxes(PrimitiveSetView primitives, std::size_t begin, std::size_t end, Visit&& visit) {
     std::array<Aabb, 128> boxes;
@@ -103,7 +107,7 @@ void for_boxes(PrimitiveSetView primitives, std::size_t begin, std::size_t end, 
     }
 }
 
-// What the first pass over all boxes finds.
+// The results of the first pass over all boxes.
 struct Survey {
     std::vector<float> diagonals;
     Aabb centroids;
@@ -126,7 +130,7 @@ Survey survey(PrimitiveSetView primitives, const Chunks& chunks) {
     return survey;
 }
 
-// The second pass: which bucket each primitive is in and what all before it sum up to.
+// The second pass: finds the bucket of each primitive and the sum of probabilities before it.
 class Positions {
 public:
     Positions(PrimitiveSetView primitives, const Survey& survey, const Chunks& chunks,
@@ -153,7 +157,8 @@ public:
         }
     }
 
-    // Those of a chunk within whose probability a multiple of 1 lies, shifted by `offset`.
+    // Draws the primitives of a chunk whose probability interval, shifted by `offset`, contains a
+    // multiple of 1.
     void draw(std::size_t chunk, std::size_t begin, std::size_t end, double offset,
               Sample& drawn) const {
         const double* start = &starts_[chunk * buckets_.count()];
@@ -185,7 +190,7 @@ Sample EquidistantSampler::draw(PrimitiveSetView primitives, std::uint32_t count
     const Chunks chunks(primitives.size());
     const Survey found = survey(primitives, chunks);
     const Positions positions(primitives, found, chunks, choose(found.diagonals, count, options));
-    // Not so near to a whole number that rounding could add or lose a draw.
+    // Keeps a distance from whole numbers, so that rounding can neither add nor lose a draw.
     const double offset = 0.001 + 0.998 * random_unit(options.seed, 0);
     std::vector<Sample> parts(chunks.count);
     parallel_for_chunks(primitives.size(), chunks.size, [&](std::size_t begin, std::size_t end) {

@@ -7,7 +7,8 @@
 
 namespace coppice::inline v0 {
 
-/// The probability that a primitive is drawn, from the diagonal of its box: a line, cut off at 1.
+/// The inclusion probability of a primitive as a function of its box's diagonal: linear, clamped at
+/// 1.
 struct InclusionProbability {
     double at_zero = 0.0;
     double slope = 0.0;
@@ -17,15 +18,15 @@ struct InclusionProbability {
     }
 };
 
-/// Draws primitives at equal distances along the sum of their inclusion probabilities, in Morton
-/// order of their centroids.
+/// Systematic sampling: draws primitives at equal distances along the sum of their inclusion
+/// probabilities, in Morton order of their centroids.
 class EquidistantSampler : public Sampler {
 public:
     [[nodiscard]] Sample draw(PrimitiveSetView primitives, std::uint32_t count,
                               const SampleOptions& options) const override;
 
 private:
-    /// The probabilities for primitives with these diagonals; they sum up to `count`.
+    /// The inclusion probabilities for primitives with these diagonals. They sum up to `count`.
     [[nodiscard]] virtual InclusionProbability choose(std::span<const float> diagonals,
                                                       std::uint32_t count,
                                                       const SampleOptions& options) const = 0;

@@ -1,5 +1,6 @@
-// Equal probabilities, equidistant along a Morton curve: a uniform sample without its clusters and
-// gaps. Source: [Tessari2023] sec. 3.2.
+// Equal probabilities, equidistant along a Morton curve. Compared with a uniform sample it has no
+// clusters and no gaps.
+// Source: [Tessari2023] sec. 3.2.
 
 #include "sample/stratified.h"
 

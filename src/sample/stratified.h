@@ -4,7 +4,7 @@
 
 namespace coppice::inline v0 {
 
-/// Every primitive with the same probability, one from each stretch of a Morton curve.
+/// The sampler "stratified": equal probabilities, one draw from each stretch of a Morton curve.
 class StratifiedSampler final : public EquidistantSampler {
 public:
     [[nodiscard]] bool uses_uniform_share() const noexcept override { return false; }

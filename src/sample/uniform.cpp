@@ -1,7 +1,8 @@
-// Uniform sampling without replacement: every id gets a random key that depends on (seed, id)
-// alone, and the ids of the smallest keys are drawn. So a smaller sample of a seed is part of every
-// larger one, which makes rates comparable, and no thread or order can change it. O(N).
-// Source: [Tsiompikas2022] sec. 4.2 (takes the first of a shuffled array, the same distribution).
+// Uniform sampling without replacement. Every id gets a random key that depends on (seed, id)
+// alone, and the ids with the smallest keys are drawn. So a sample is a subset of every larger
+// sample of the same seed, which makes rates comparable, and threads and order do not matter. O(N).
+// Source: [Tsiompikas2022] sec. 4.2 (takes the first elements of a shuffled array: the same
+// distribution).
 
 #include "sample/uniform.h"
 
@@ -23,14 +24,14 @@ struct KeyedId {
 
 constexpr std::uint64_t highest_key = std::numeric_limits<std::uint64_t>::max();
 
-// Keys are spread evenly, so below this one there are `count` of all keys, and by six standard
-// deviations more.
+// A key below which more than `count` keys lie, almost certainly. Keys are uniformly distributed,
+// so that an expected number of `count` + 6 standard deviations suffices.
 std::uint64_t key_above(std::uint32_t count, std::uint32_t of) {
     const double wanted = count + 6.0 * std::sqrt(count) + 40.0;
     return wanted < of ? static_cast<std::uint64_t>(std::ldexp(wanted / of, 64)) : highest_key;
 }
 
-// The ids whose keys are no greater than `highest`.
+// The ids whose keys are at most `highest`, with their keys.
 std::vector<KeyedId> keyed_up_to(std::uint64_t highest, std::uint32_t id_count,
                                  std::uint64_t seed) {
     constexpr std::size_t chunk_size = 65536;

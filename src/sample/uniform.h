@@ -4,7 +4,7 @@
 
 namespace coppice::inline v0 {
 
-/// Every primitive with the same probability, without replacement.
+/// The sampler "uniform": equal probabilities, without replacement.
 class UniformSampler final : public Sampler {
 public:
     [[nodiscard]] Sample draw(PrimitiveSetView primitives, std::uint32_t count,

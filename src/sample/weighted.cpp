@@ -1,8 +1,9 @@
-// The inclusion probability grows with the diagonal of a primitive's box: p = min(1, c k (u / n +
-// (1 - u) d / sum of all d)) for k draws of n primitives, with a share u the same for all, so that
-// no primitive is impossible. A uniform sample misses the few huge triangles that cost most rays.
-// What the clamp takes from the largest is given to the others: c is the fixed point at which all p
-// sum up to k. Source: [Tessari2023] sec. 3.2; the uniform share is this project's.
+// The inclusion probability grows with the diagonal d of a primitive's box: p = min(1, c k (u / n +
+// (1 - u) d / sum of all d)) for k draws from n primitives. The uniform share u is the same for
+// all, so that every primitive can be drawn. A uniform sample would miss the few huge triangles
+// that cost most rays. The constant c redistributes what the clamp to 1 cuts off: it is the fixed
+// point at which all p sum up to k.
+// Source: [Tessari2023] sec. 3.2; the uniform share is this project's.
 
 #include "sample/weighted.h"
 
@@ -11,10 +12,11 @@
 namespace coppice::inline v0 {
 namespace {
 
-// The clamped set only grows, and does so by ever less.
+// The set of clamped primitives only grows, by less in every round.
 constexpr int max_rounds = 16;
 
-// Of the uniform share, for primitives without a diagonal: else there might be too few to draw.
+// The least uniform share. Without it, primitives with a diagonal of 0 could never be drawn, and
+// there might be too few others.
 constexpr double least_share = 0x1.0p-20;
 
 }  // namespace

@@ -4,7 +4,8 @@
 
 namespace coppice::inline v0 {
 
-/// Large primitives with greater probability, one from each stretch of a Morton curve.
+/// The sampler "weighted": greater probabilities for larger primitives, one draw from each stretch
+/// of a Morton curve.
 class WeightedSampler final : public EquidistantSampler {
     [[nodiscard]] InclusionProbability choose(std::span<const float> diagonals, std::uint32_t count,
                                               const SampleOptions& options) const override;

@@ -8,7 +8,7 @@
 namespace coppice::inline v0 {
 namespace {
 
-constexpr std::uint32_t crowded_leaf = 2048;  // points; most leaves have about 32
+constexpr std::uint32_t crowded_leaf = 2048;  // in points; most leaves have about 32
 
 bool is_crowded(const KdTree& tree) noexcept {
     return std::any_of(tree.nodes().begin(), tree.nodes().end(), [](const KdNode& node) {
@@ -36,7 +36,7 @@ KdOptions PointScene::search_options() {
             .split = {.rule = "midpoint",
                       .max_depth = KdTree::max_depth,
                       .max_leaf = 1,
-                      .bad_refines = KdTree::max_depth + 1},  // split at any price
+                      .bad_refines = KdTree::max_depth + 1},  // splits whatever the cost
             .leaf_refinement = LeafRefinement::none};
 }
 

@@ -8,8 +8,8 @@
 
 namespace coppice::inline v0::simd {
 
-/// The kernels of one module for every instruction set that they are compiled for, and the choice
-/// among them.
+/// The kernels of one module for every instruction set that they are compiled for. Selects among
+/// them at run time.
 template <typename Kernels>
 class Tables {
 public:
@@ -18,7 +18,7 @@ public:
         const Kernels* kernels;
     };
 
-    /// From COPPICE_SIMD_TABLES (foreach_set.h): in the order of Isa, the scalar one first.
+    /// Takes COPPICE_SIMD_TABLES (foreach_set.h): tables in the order of Isa, the scalar one first.
     constexpr Tables(std::initializer_list<Table> tables) noexcept {
         for (const Table& table : tables) {
             for (auto isa = static_cast<std::size_t>(table.isa); isa < best_.size(); ++isa) {
@@ -27,7 +27,8 @@ public:
         }
     }
 
-    /// Those of `isa`, which the processor has, or else of the best set below it.
+    /// The kernels of `isa`, or of the best set below it if there are none. The processor must
+    /// support `isa`.
     [[nodiscard]] const Kernels& at(Isa isa) const noexcept {
         return *best_[static_cast<std::size_t>(isa)];
     }

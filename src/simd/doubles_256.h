@@ -1,4 +1,4 @@
-// Four doubles in a 256-bit register, by AVX2; a part of lanes_256.h.
+// Four doubles in a 256-bit register, with AVX2. Included by lanes_256.h.
 #pragma once
 
 #include "simd/registers_256.h"

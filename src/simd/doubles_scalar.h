@@ -1,4 +1,4 @@
-// Four doubles as a plain loop, for any processor; a part of lanes_scalar.h.
+// Four doubles as an array, for any processor. Included by lanes_scalar.h.
 #pragma once
 
 #include "simd/registers_scalar.h"
@@ -11,7 +11,7 @@
 
 namespace coppice::inline v0::simd::scalar {
 
-/// To an array aligned to 32 bytes.
+/// Stores to an array aligned to 32 bytes.
 COPPICE_LANES void store(const Doubles& doubles, double* to) noexcept {
     for (std::size_t i = 0; i < 4; ++i) {
         to[i] = doubles.lane[i];
@@ -22,19 +22,19 @@ COPPICE_LANES Doubles broadcast_double(double value) noexcept {
     return {{value, value, value, value}};
 }
 
-/// The lanes of these numbers, in this order.
+/// The lanes with these indices, in this order.
 template <std::size_t i, std::size_t j, std::size_t k, std::size_t l>
 COPPICE_LANES Doubles permute(const Doubles& a) noexcept {
     return {{a.lane[i], a.lane[j], a.lane[k], a.lane[l]}};
 }
 
-/// One lane.
+/// The value of lane i.
 template <std::size_t i>
 COPPICE_LANES double get(const Doubles& a) noexcept {
     return a.lane[i];
 }
 
-/// The largest of all lanes; any if one is NaN.
+/// The largest of all lanes; unspecified if one is NaN.
 COPPICE_LANES double greatest(const Doubles& a) noexcept {
     const Doubles pairs = max(a, permute<2, 3, 0, 1>(a));
     return pairs.lane[0] > pairs.lane[1] ? pairs.lane[0] : pairs.lane[1];

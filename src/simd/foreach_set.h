@@ -1,14 +1,14 @@
-// Includes the header COPPICE_SIMD_KERNELS once for each instruction set: the scalar one, and on
-// x86-64 those of COPPICE_SIMD_SETS, a sum of the numbers in set.h. The header defines a constant
-// `kernels` in a namespace of the set's name; COPPICE_SIMD_TABLES is a list of them for
-// simd::Tables (dispatch.h):
+// Includes the header COPPICE_SIMD_KERNELS once for each instruction set: for the scalar set, and
+// on x86-64 for the sets in COPPICE_SIMD_SETS, a sum of the numbers in set.h. The header must
+// define a constant `kernels` in a namespace with the set's name. COPPICE_SIMD_TABLES then lists
+// these constants for simd::Tables (dispatch.h). Usage:
 //
 //   #define COPPICE_SIMD_KERNELS "trace/kernels/bvh8_trace_set.h"
 //   #define COPPICE_SIMD_SETS (COPPICE_SIMD_SSE42 + COPPICE_SIMD_AVX2)
 //   #include "simd/foreach_set.h"
 //
-// Once in a source, which thereby holds its kernels for all sets, and is compiled by itself: not in
-// one unit with another.
+// Include it at most once in a source file. That file then holds the kernels of all sets, and must
+// not be part of a unity build.
 #pragma once
 
 #if !defined(COPPICE_SIMD_KERNELS) || !defined(COPPICE_SIMD_SETS)

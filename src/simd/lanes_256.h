@@ -1,5 +1,5 @@
-// The lanes in a 256-bit register, by AVX2 and FMA: what lanes_avx2.h and lanes_avx512.h have in
-// common. Operations are those of lanes_scalar.h.
+// Lanes in a 256-bit register, with AVX2 and FMA: the common part of lanes_avx2.h and
+// lanes_avx512.h. lanes_scalar.h documents the operations.
 #pragma once
 
 #include "simd/doubles_256.h"
@@ -142,7 +142,7 @@ COPPICE_LANES std::array<std::uint32_t, 3> to_integers(Quad a) noexcept {
 }
 
 COPPICE_LANES std::array<Lanes, 3> load_points(const std::array<const float*, 8>& points) noexcept {
-    const auto pair = [&](std::size_t lane) {  // lane and lane + 4, a half each
+    const auto pair = [&](std::size_t lane) {  // lanes `lane` and `lane + 4`, one in each half
         return join(load_point(points[lane]), load_point(points[lane + 4])).lane;
     };
     const __m256 a = pair(0);

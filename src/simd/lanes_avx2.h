@@ -1,4 +1,4 @@
-// lanes_256.h, and comparisons as AVX2 has them.
+// Lanes for AVX2: lanes_256.h, with AVX2 comparisons.
 #pragma once
 
 #include "simd/lanes_256.h"

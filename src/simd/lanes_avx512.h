@@ -1,4 +1,5 @@
-// lanes_256.h, and comparisons and sizes as AVX-512VL and DQ have them: in one instruction each.
+// Lanes for AVX-512VL and DQ: lanes_256.h, with comparisons and absolute values that take one
+// instruction each.
 #pragma once
 
 #include "simd/lanes_256.h"

@@ -1,5 +1,5 @@
-// The lanes in two 128-bit registers: of the operations in lanes_scalar.h those that rays are
-// traced by.
+// Lanes in two 128-bit registers, with SSE4.2. Only the operations of lanes_scalar.h that ray
+// traversal uses.
 #pragma once
 
 #include "simd/target.h"
@@ -71,12 +71,12 @@ COPPICE_LANES Lanes abs(Lanes a) noexcept {
     return {_mm_andnot_ps(sign, a.low), _mm_andnot_ps(sign, a.high)};
 }
 
-// The larger of two without their signs.
+// The larger of two absolute values.
 COPPICE_LANES Lanes larger_size(Lanes a, Lanes b) noexcept {
     return max(abs(a), abs(b));
 }
 
-// A bit for every lane that is set in its sign.
+// A bit for every lane with a negative sign.
 COPPICE_LANES unsigned signs_of(__m128 low, __m128 high) noexcept {
     return static_cast<unsigned>(_mm_movemask_ps(low) | _mm_movemask_ps(high) << 4);
 }

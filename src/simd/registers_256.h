@@ -1,4 +1,4 @@
-// Registers of AVX2 and their arithmetic; a part of lanes_256.h.
+// AVX2 registers and their arithmetic. Included by lanes_256.h.
 #pragma once
 
 #include "simd/target.h"

@@ -1,5 +1,4 @@
-// Lanes as arrays, for any processor, and what is done with them lane by lane; a part of
-// lanes_scalar.h.
+// Lanes as arrays and their arithmetic, for any processor. Included by lanes_scalar.h.
 #pragma once
 
 #include "simd/target.h"
@@ -27,7 +26,7 @@ struct Doubles {
     std::array<double, 4> lane;
 };
 
-/// What a comparison gives: all bits of a lane, or none.
+/// The result of a comparison: all bits of a lane are set, or none.
 struct Mask {
     std::array<std::uint32_t, 8> lane;
 };
@@ -36,7 +35,7 @@ struct DoubleMask {
     std::array<std::uint64_t, 4> lane;
 };
 
-/// `operation` lane by lane.
+/// Applies `operation` lane by lane.
 template <typename T, typename Operation>
 COPPICE_LANES T each(T a, const T& b, const Operation& operation) noexcept {
     for (std::size_t i = 0; i < a.lane.size(); ++i) {
@@ -55,7 +54,7 @@ COPPICE_LANES unsigned bits_where(const T& a, const T& b, const Comparison& hold
     return bits;
 }
 
-/// The same as a mask.
+/// A mask of the lanes in which a comparison holds.
 template <typename M, typename T, typename Comparison>
 COPPICE_LANES M mask_where(const T& a, const T& b, const Comparison& holds) noexcept {
     M mask;
@@ -93,7 +92,7 @@ COPPICE_LANES T operator-(const T& a) noexcept {
     return each(a, a, [](auto x, auto /*same*/) { return -x; });
 }
 
-/// The second argument where one is NaN.
+/// Minimum and maximum. Where either is NaN, the result is the second argument.
 template <Register T>
 COPPICE_LANES T min(const T& a, const T& b) noexcept {
     return each(a, b, [](auto x, auto y) { return x < y ? x : y; });
@@ -141,7 +140,7 @@ COPPICE_LANES M operator|(const M& a, const M& b) noexcept {
     return each(a, b, [](auto x, auto y) { return x | y; });
 }
 
-/// The first where the mask is set, else the second.
+/// The first value where the mask is set, else the second.
 template <RegisterMask M, Register T>
 COPPICE_LANES T select(const M& mask, T first, const T& second) noexcept {
     for (std::size_t i = 0; i < first.lane.size(); ++i) {

@@ -1,5 +1,5 @@
-// The instruction set that the code after it is compiled for, as macros. A header of kernels is
-// included once for each set (foreach_set.h), and begins and ends like this:
+// Defines macros for the instruction set that the following code is compiled for. A kernel header
+// is included once for each set (foreach_set.h) and has this form:
 //
 //   #include "simd/set.h"
 //   #if defined(COPPICE_THIS_HEADER_H) == defined(COPPICE_SIMD_TOGGLE)
@@ -14,9 +14,9 @@
 //   COPPICE_SIMD_END
 //   #endif
 //
-// That is an include guard for each set: foreach_set.h defines COPPICE_SIMD_TOGGLE for every second
-// one. By itself such a header is compiled for the scalar set. No guard here: the macros change
-// with COPPICE_SIMD_ISA.
+// Its first lines are an include guard for each set: foreach_set.h defines COPPICE_SIMD_TOGGLE for
+// every second set. A kernel header included by itself is compiled for the scalar set. This file
+// has no include guard, because its macros change with COPPICE_SIMD_ISA.
 
 #include "simd/target.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Between COPPICE_TARGET_AVX2 and COPPICE_TARGET_END functions are compiled for AVX2 and FMA, and
-/// so on. Other headers are included before: an inline function of theirs must not be compiled for
-/// AVX2, since the linker may keep that copy for the whole program.
+/// Functions between COPPICE_TARGET_AVX2 and COPPICE_TARGET_END are compiled for AVX2 and FMA;
+/// likewise for the other sets. Include other headers before. Otherwise their inline functions
+/// would be compiled for AVX2, too, and the linker might keep that copy for the whole program.
 #define COPPICE_PRAGMA(words) _Pragma(#words)
 #if defined(__clang__)
 #define COPPICE_TARGET(sets) \
@@ -17,6 +17,5 @@
 #define COPPICE_TARGET_AVX2 COPPICE_TARGET("avx2,fma")
 #define COPPICE_TARGET_AVX512 COPPICE_TARGET("avx2,fma,avx512vl,avx512dq")
 
-/// Before an operation on lanes: a part of whatever calls it, so that no vector is passed in
-/// memory.
+/// Marks an operation on lanes. It is always inlined, so that no vector is passed in memory.
 #define COPPICE_LANES [[gnu::always_inline]] inline

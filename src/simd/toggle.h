@@ -1,4 +1,5 @@
-// The next instruction set begins: include guards of kernels' headers open again (set.h). No guard.
+// Starts the next instruction set: reopens the include guards of kernel headers (set.h). Has no
+// include guard itself.
 
 #ifdef COPPICE_SIMD_TOGGLE
 #undef COPPICE_SIMD_TOGGLE

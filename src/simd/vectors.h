@@ -1,4 +1,4 @@
-// Vectors of three coordinates, eight at a time.
+// Vectors of three coordinates in eight lanes.
 
 #include "simd/set.h"
 
@@ -21,7 +21,7 @@ struct Lanes3 {
     Lanes z;
 };
 
-/// A vector of three floats x, y and z in all lanes.
+/// A vector of three floats x, y and z, repeated in all lanes.
 template <typename Vector>
 COPPICE_LANES Lanes3 broadcast3(const Vector& v) noexcept {
     return {broadcast(v.x), broadcast(v.y), broadcast(v.z)};

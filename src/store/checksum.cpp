@@ -1,4 +1,4 @@
-// xxHash is compiled into this file: then users of the library need not link it.
+// xxHash is compiled into this file, so that programs need not link it.
 #define XXH_INLINE_ALL
 
 #include "store/checksum.h"
@@ -12,7 +12,7 @@
 
 namespace coppice::inline v0 {
 
-// The hashes of pieces are hashed as they lie in memory.
+// The hashes of pieces are hashed in their memory representation.
 static_assert(std::endian::native == std::endian::little);
 
 std::uint64_t checksum(std::span<const std::byte> bytes) {

@@ -22,8 +22,8 @@ std::string difference(const Fingerprint& wanted, const Fingerprint& found) {
     if (wanted.vertex_count != found.vertex_count) {
         return fmt::format("{} vertices, not {}", wanted.vertex_count, found.vertex_count);
     }
-    if (wanted.vertex_hash != found.vertex_hash) return "its vertices are elsewhere";
-    if (wanted.index_hash != found.index_hash) return "its triangles have other corners";
+    if (wanted.vertex_hash != found.vertex_hash) return "its vertex positions differ";
+    if (wanted.index_hash != found.index_hash) return "its vertex indices differ";
     return {};
 }
 

@@ -1,10 +1,13 @@
-// Trusts nothing in the file. In this order: magic, byte order and version, which other versions
-// have at the same places; the header's checksum, after which its counts may be believed to be what
-// was written; the layout and the size that follow from it; the checksums of all sections; and
-// since whoever forges a file can forge checksums, every index that a query follows (structure.h).
-// Only the first bytes are copied, the arrays stay where they are mapped.
+// Loading trusts nothing in the file. Checks, in this order:
+// - magic, byte order and version, which every version has at the same offsets;
+// - the header's checksum, after which its counts are known to be what was written;
+// - the layout, and the file size that follows from it;
+// - the checksums of all sections;
+// - every index that a query follows (structure.h), because a forged file can have valid checksums.
 //
-// Cost: two passes over the file at the speed of memory, in parallel.
+// Only the header is copied; the arrays stay where they are mapped.
+//
+// Cost: two passes over the file at memory speed, in parallel.
 
 #include "coppice/base/error.h"
 #include "coppice/store/tree_file.h"
@@ -38,7 +41,7 @@ public:
 
     [[nodiscard]] const TreeFileHeader& header() const noexcept { return header_; }
 
-    /// Verifies the checksums of all but the header and gives the tree.
+    /// Verifies the checksums of all sections but the header, and returns the tree.
     [[nodiscard]] AnyTree tree() const {
         verify(0, node_size(), header_.node_checksum, "nodes");
         verify(node_size(), item_size(), header_.item_checksum, item_name());
@@ -70,7 +73,7 @@ private:
         const std::size_t there = std::min(bytes.size(), sizeof header_);
         std::memcpy(&header_, bytes.data(), there);
         if (there < header_.magic.size() || header_.magic != TreeFileHeader::own_magic) {
-            fail(ErrorCode::parse, "not a tree file of coppice");
+            fail(ErrorCode::parse, "not a coppice tree file");
         }
         if (there < sizeof header_) {
             fail(ErrorCode::parse,
@@ -78,17 +81,16 @@ private:
         }
         if (header_.byte_order == TreeFileHeader::other_byte_order) {
             fail(ErrorCode::unsupported,
-                 "written on a machine of another byte order: build the tree on this one");
+                 "written with another byte order: build the tree on this machine");
         }
         if (header_.byte_order != TreeFileHeader::own_byte_order) {
-            fail(ErrorCode::parse, "damaged: the mark of the byte order is none");
+            fail(ErrorCode::parse, "damaged: invalid byte-order mark");
         }
         if (header_.version != TreeFileHeader::own_version) {
-            fail(
-                ErrorCode::unsupported,
-                fmt::format("of format version {}, and this is a program for version {}: build the "
-                            "tree again",
-                            header_.version, TreeFileHeader::own_version));
+            fail(ErrorCode::unsupported,
+                 fmt::format("format version {}, but this program reads version {}: build the "
+                             "tree again",
+                             header_.version, TreeFileHeader::own_version));
         }
         const std::size_t checked_size = offsetof(TreeFileHeader, header_checksum);
         if (checksum(bytes.first(checked_size)) != header_.header_checksum) {
@@ -106,13 +108,13 @@ private:
         if (is_ours) return;
         fail(ErrorCode::unsupported,
              fmt::format(
-                 "of another layout: kind {}, a header of {} bytes, nodes of {} and {} of {}",
+                 "unsupported layout: kind {}, a header of {} bytes, nodes of {} and {} of {}",
                  header_.kind, header_.header_bytes, header_.node_bytes, item_name(),
                  header_.item_bytes));
     }
 
     void check_size() const {
-        // Beyond these nothing was ever written; their sum does not overflow.
+        // Upper limits of plausible counts. Their sum does not overflow.
         constexpr std::uint64_t most_text = std::uint64_t{1} << 32;
         constexpr std::uint64_t most_items = std::uint64_t{1} << 40;
         const bool is_possible =
@@ -122,15 +124,16 @@ private:
             header_.primitives.primitive_count <= std::numeric_limits<std::uint32_t>::max();
         if (!is_possible) {
             fail(ErrorCode::parse,
-                 fmt::format("impossible: {} nodes, {} {}, {} primitives", header_.node_count,
-                             header_.item_count, item_name(), header_.primitives.primitive_count));
+                 fmt::format("damaged: impossible counts of {} nodes, {} {}, {} primitives",
+                             header_.node_count, header_.item_count, item_name(),
+                             header_.primitives.primitive_count));
         }
         const std::uint64_t wanted = sizeof header_ + node_size() + item_size() + text_size();
         if (byte_count() < wanted) {
             fail(ErrorCode::parse, fmt::format("truncated: {} of {} bytes", byte_count(), wanted));
         }
         if (byte_count() > wanted) {
-            fail(ErrorCode::parse, fmt::format("damaged: {} bytes behind the end, which is at {}",
+            fail(ErrorCode::parse, fmt::format("damaged: {} bytes after the end at byte {}",
                                                byte_count() - wanted, wanted));
         }
     }
@@ -145,7 +148,7 @@ private:
     [[nodiscard]] Tree checked(Tree tree) const {
         const std::string flaw =
             find_flaw(tree, static_cast<std::uint32_t>(header_.primitives.primitive_count));
-        if (!flaw.empty()) fail(ErrorCode::parse, "not a sound tree: " + flaw);
+        if (!flaw.empty()) fail(ErrorCode::parse, "invalid tree: " + flaw);
         return tree;
     }
 
@@ -165,7 +168,7 @@ private:
         return header_.kind == TreeFileHeader::kd ? "references" : "blocks";
     }
 
-    /// Bytes behind the header.
+    /// The section of the file at `offset` bytes after the header.
     [[nodiscard]] std::span<const std::byte> section(std::uint64_t offset,
                                                      std::uint64_t size) const noexcept {
         return mapped_->bytes().subspan(sizeof header_ + offset, size);

@@ -43,7 +43,7 @@ private:
 
 MappedFile::MappedFile(const std::filesystem::path& file) {
     static_cast<void>(
-        regular_file_bytes(file));  // for its errors: the size is that of what is open
+        regular_file_bytes(file));  // called for its errors; the size of the open file counts
     const Descriptor opened(open(file.c_str(), O_RDONLY | O_CLOEXEC));
 
     struct stat status {};

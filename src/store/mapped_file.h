@@ -6,12 +6,13 @@
 
 namespace coppice::inline v0 {
 
-/// A regular file's bytes in memory, read from the disk as they are needed; aligned to a page. They
-/// stay what they are if the file is replaced or removed; the file must not be cut short.
+/// A regular file mapped into memory for reading, aligned to a page. Pages are read from disk as
+/// they are accessed. The contents stay valid if the file is replaced or removed, but the file must
+/// not be truncated or modified.
 class MappedFile {
 public:
-    /// Throws Error if there is no such file, or it is empty or not regular, or it cannot be
-    /// mapped.
+    /// Maps a file. Throws Error if the file does not exist, is empty, is not a regular file, or
+    /// cannot be mapped.
     explicit MappedFile(const std::filesystem::path& file);
 
     MappedFile(const MappedFile&) = delete;

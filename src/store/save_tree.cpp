@@ -19,7 +19,7 @@ std::string_view as_text(std::span<const std::byte> bytes) {
 template <typename Node, typename Item>
 void save(const std::filesystem::path& file, std::span<const Node> nodes,
           std::span<const Item> items, const TreeOrigin& origin, TreeFileHeader header) {
-    NewFile output(file);  // before any work
+    NewFile output(file);  // fails early if the file cannot be written
     const std::string text = origin.method + origin.options;
     header.node_bytes = sizeof(Node);
     header.item_bytes = sizeof(Item);

@@ -1,6 +1,7 @@
-// Nodes are checked as validate() checks them (tree/shape.h); references and blocks in parallel,
-// since there are many. Lanes that hold nothing are as traversals rely on: they come last, and no
-// ray hits their corners.
+// Checks that a tree is safe to query. Nodes are checked as in validate() (tree/shape.h).
+// References and blocks are checked in parallel, since there are many. Lanes without a triangle
+// must satisfy what traversals rely on: they come last, and their corners are NaN, which no ray
+// hits.
 
 #include "store/structure.h"
 
@@ -19,13 +20,14 @@
 namespace coppice::inline v0 {
 namespace {
 
-/// Finite, or those of nothing: searches scale distances by them. Empty text if they are.
+/// Bounds must be finite or the empty box, because searches scale distances by them. Returns "" if
+/// they are.
 std::string find_bounds_flaw(const Aabb& bounds) {
     const bool is_sound = bounds == Aabb{} || (bounds.is_finite() && !bounds.is_empty());
-    return is_sound ? "" : "its bounds are no finite box";
+    return is_sound ? "" : "its bounds are not a finite box";
 }
 
-/// The first of `count` things that is not as it should be, or `count`.
+/// The first of `count` items for which `is_sound` is false, or `count`.
 template <typename IsSound>
 std::size_t find_first(std::size_t count, const IsSound& is_sound) {
     constexpr std::size_t chunk = 4096;
@@ -42,7 +44,8 @@ std::size_t find_first(std::size_t count, const IsSound& is_sound) {
     return first;
 }
 
-// Lanes hold a triangle that exists, or come last and have a corner of NaN.
+// True if every lane holds an existing triangle, or all lanes after it are empty and have NaN
+// corners.
 bool is_sound(const TriangleBlock& block, std::uint32_t primitive_count) {
     bool is_gap = false;
     for (std::size_t lane = 0; lane < bvh8_width; ++lane) {
@@ -82,7 +85,7 @@ std::string find_flaw(const Bvh8& tree, std::uint32_t primitive_count) {
     const std::size_t bad = find_first(
         blocks.size(), [&](std::size_t at) { return is_sound(blocks[at], primitive_count); });
     if (bad == blocks.size()) return {};
-    return fmt::format("block {} has a hole or a triangle that is none of {}", bad,
+    return fmt::format("block {} has a gap, or a triangle id out of range ({} triangles)", bad,
                        primitive_count);
 }
 

@@ -8,17 +8,18 @@
 
 namespace coppice::inline v0 {
 
-/// The first bytes of a tree file, as they lie in memory; see docs/formats.md. What follows are the
-/// nodes, the items (references of a k-d tree, blocks of an 8-wide one), the method's name and the
-/// options, without gaps.
+/// The header of a tree file, in its memory representation; see docs/formats.md. It is followed
+/// without gaps by the nodes, the items (references of a k-d tree, blocks of an 8-wide tree), the
+/// method's name and the options.
 struct TreeFileHeader {
-    /// Ours for certain: the first byte is not text, and the line ends do not survive a transfer as
-    /// text.
+    /// The magic bytes. The first byte is not text, and the line ends detect a transfer in text
+    /// mode.
     static constexpr std::array<unsigned char, 8> own_magic{0x89, 'c',  'p',  'k',
                                                             '\r', '\n', 0x1a, '\n'};
     static constexpr std::uint32_t own_byte_order = 0x01020304;
     static constexpr std::uint32_t other_byte_order = 0x04030201;
-    /// To be raised with every change of this header, of a node, a block, or what they mean.
+    /// The format version. Increase it with every change of this header, of a node or a block, or
+    /// of their meaning.
     static constexpr std::uint32_t own_version = 1;
 
     enum Kind : std::uint32_t { kd = 0, bvh8 = 1 };
@@ -28,8 +29,8 @@ struct TreeFileHeader {
     std::uint32_t version = own_version;
     std::uint32_t kind = kd;
     std::uint32_t header_bytes = 192;
-    std::uint32_t node_bytes = 0;  ///< of one
-    std::uint32_t item_bytes = 0;  ///< of one
+    std::uint32_t node_bytes = 0;  ///< size of one node
+    std::uint32_t item_bytes = 0;  ///< size of one item
     std::uint64_t node_count = 0;
     std::uint64_t item_count = 0;
     std::uint64_t method_bytes = 0;
@@ -43,7 +44,7 @@ struct TreeFileHeader {
     std::uint64_t header_checksum = 0;  ///< of all bytes before it
 };
 
-// A multiple of the alignment of nodes and blocks.
+// The size is a multiple of the alignment of nodes and blocks.
 static_assert(sizeof(TreeFileHeader) == 192 && std::is_trivially_copyable_v<TreeFileHeader>);
 
 }  // namespace coppice::inline v0

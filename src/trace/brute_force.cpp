@@ -1,5 +1,4 @@
-// All queries by testing every triangle, with the same test as the traversals and nothing else of
-// theirs.
+// All ray queries by brute force. They share only the triangle test with the traversals.
 
 #include "coppice/trace/brute_force.h"
 
@@ -10,7 +9,7 @@
 namespace coppice::inline v0 {
 namespace {
 
-// Calls `take(hit)` for every triangle that is hit, by id, until it returns true.
+// Calls `take(hit)` for every hit in order of id, until it returns true.
 template <typename Take>
 void for_each_hit(TriangleMeshView mesh, const Ray& ray, Take&& take) noexcept {
     if (!is_traceable(ray)) return;

@@ -1,6 +1,6 @@
-// The first hits of a ray in order, gathered in an array of fixed size: each new one is put in its
-// place from the end on, and what is too many falls off. Traversals find hits nearly in order, so
-// that the place is mostly near the end.
+// The first hits of a ray in order, in an array of fixed size. Each new hit is inserted by moving
+// from the end, and the last one drops out when the array is full. Traversals find hits nearly in
+// order, so that the right place is usually near the end.
 #pragma once
 
 #include "coppice/geom/ray.h"
@@ -12,19 +12,21 @@
 
 namespace coppice::inline v0 {
 
-/// The order of hits: by distance, equally close ones by id.
+/// The order of hits: by distance, then by id.
 [[nodiscard]] inline bool is_before(const Hit& a, const Hit& b) noexcept {
     return a.t < b.t || (a.t == b.t && a.prim < b.prim);
 }
 
-/// Hits in order, at most as many as an array takes. A hit that is put in twice is there once.
+/// A sorted list of hits, at most as many as a span has room for. Inserting a hit twice has no
+/// effect.
 class HitList {
 public:
-    /// Gathers hits that come behind `*after`, or any if that is null.
+    /// Collects hits that come after `*after` in order, or all hits if it is null.
     HitList(std::span<Hit> hits, const Hit* after) noexcept
         : hits_(hits), has_after_(after != nullptr), after_(has_after_ ? *after : Hit{}) {}
 
-    /// Puts a hit in its place unless it is not asked for, there already, or too far.
+    /// Inserts a hit, unless it does not come after `*after`, is in the list already, or is farther
+    /// than the last of a full list.
     void insert(const Hit& hit) noexcept {
         if (has_after_ && !is_before(after_, hit)) return;
         std::size_t place = size_;
@@ -32,7 +34,7 @@ public:
             --place;
         }
         if (place == hits_.size()) return;
-        // The same triangle from another leaf.
+        // The same triangle, found through another leaf.
         if (place > 0 && !is_before(hits_[place - 1], hit)) return;
         if (size_ < hits_.size()) ++size_;
         for (std::size_t i = size_ - 1; i > place; --i) {
@@ -45,12 +47,12 @@ public:
 
     [[nodiscard]] bool is_full() const noexcept { return size_ == hits_.size(); }
 
-    /// No hit in front of this distance is asked for.
+    /// No hit closer than this distance is wanted.
     [[nodiscard]] float first_distance() const noexcept {
         return has_after_ ? after_.t : -std::numeric_limits<float>::infinity();
     }
 
-    /// The distance of the last hit. Of a list that is not empty.
+    /// The distance of the last hit. The list must not be empty.
     [[nodiscard]] float last_distance() const noexcept { return hits_[size_ - 1].t; }
 
 private:
@@ -60,8 +62,8 @@ private:
     Hit after_;
 };
 
-/// How many hits there are, by a query that gives some hits at a time:
-/// `find(std::span<Hit> hits, const Hit* after)` is one like intersect_all().
+/// Counts hits by repeated calls of a query that returns a limited number of hits at a time.
+/// `find(std::span<Hit> hits, const Hit* after)` must behave like intersect_all().
 template <typename Find>
 [[nodiscard]] std::size_t count_by(Find&& find) noexcept {
     constexpr std::size_t at_a_time = 64;

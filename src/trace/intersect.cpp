@@ -1,29 +1,32 @@
-// Ordered traversal of the k-d tree: at each inner node the ray's interval is cut at the plane, the
-// nearer child is visited first and the other waits on a stack. Closest hit, any hit and all hits
-// are one template over what is done with a hit, and counting is a parameter of it.
+// Ordered traversal of the k-d tree. At each inner node the ray's interval is cut at the plane, the
+// nearer child is visited first, and the other is pushed on a stack. Closest hit, any hit and all
+// hits are one template over a query, which decides what is done with a hit. Counting is a second
+// parameter.
 //
-// No leaf that the ray touches is passed over:
-// - A plane's distance is (position - origin) * (1 / direction), in double from float input: three
-//   roundings, off by less than 2^-51 of itself. Nothing overflows or vanishes: the numbers are
-//   between 2^-149 and 2^129, reciprocals below 2^149. The ends of intervals are moved outward by
-//   2^-40 of themselves where a plane sets them, which covers their own error and that of the
-//   distances compared with them. So scale does not matter, and neither does the sign of t.
-// - A direction component of 0 has the reciprocal +inf, of -0 it is -inf, and the sign says which
-//   child is the near one. An origin off the plane has the distance +inf, so that the near child
-//   alone is visited, or -inf, so that the far one is: in both cases the side the origin is on. A
-//   ray within the plane has a distance of NaN: it compares false with both ends, both children are
-//   visited, and the minimum and maximum below leave the interval as it is. Both have to be: either
-//   may hold the triangles that touch the plane, or lie in it.
-// - An origin on a plane that the ray leaves has the distance 0, exactly: the near child is visited
-//   if the interval has t <= 0, the far one if it has t >= 0.
-// - Hits count by their t rounded to float; limits are widened by that rounding.
+// No leaf that the ray touches is skipped:
+// - The distance of a plane is (position - origin) * (1 / direction), in double from float input.
+//   Its three roundings make an error below 2^-51 of its value. Nothing overflows or underflows:
+//   the numbers are between 2^-149 and 2^129, and reciprocals are below 2^149. Where a plane sets
+//   an end of an interval, the end is moved outward by 2^-40 of its value. That covers its own
+//   error and the error of all distances compared with it. The scale and the sign of t do not
+//   matter.
+// - A direction component of 0 has the reciprocal +inf, one of -0 has -inf, and the sign determines
+//   which child is the near one. For an origin off the plane the distance is then +inf, so that
+//   only the near child is visited, or -inf, so that only the far one is. In both cases that is the
+//   child on the origin's side.
+// - For a ray within the plane the distance is NaN. It compares false with both ends, so both
+//   children are visited, and the minimum and maximum below keep the interval as it is. Both must
+//   be visited, because either may hold triangles that touch the plane or lie in it.
+// - For an origin on the plane that the ray leaves, the distance is exactly 0. The near child is
+//   visited if the interval has t <= 0, the far one if it has t >= 0.
+// - Hits are compared by their t rounded to float; limits are widened by that rounding.
 //
-// The stack cannot overflow: a node is put on it while the ray goes down to its sibling, so those
-// waiting have different depths, the root is never among them, and no tree is deeper than
-// KdTree::max_depth (builders stop there, validate() finds trees that are).
+// The stack cannot overflow. A node is pushed while the ray descends to its sibling, so waiting
+// nodes have different depths. The root is never among them, and no tree is deeper than
+// KdTree::max_depth (builders stop there, validate() reports deeper trees).
 //
-// Cost: a subtraction, a product and two comparisons for an inner node; a triangle test (in
-// double) for a reference. A triangle of several leaves is tested in each.
+// Cost: a subtraction, a product and two comparisons for an inner node; a triangle test in double
+// for a reference. A triangle in several leaves is tested in each.
 // Source: [Pharr2016] sec. 4.4.3 (ordered traversal with a stack).
 
 #include "coppice/trace/intersect.h"
@@ -39,7 +42,7 @@
 namespace coppice::inline v0 {
 namespace {
 
-// An end of an interval, moved down or up by more than distances are off.
+// Moves an end of an interval outward by more than the error of a distance.
 double before(double distance) noexcept {
     return distance - 0x1.0p-40 * std::abs(distance);
 }
@@ -48,19 +51,19 @@ double behind(double distance) noexcept {
     return distance + 0x1.0p-40 * std::abs(distance);
 }
 
-// How far a distance may be from the float it is rounded to.
+// An upper bound of the difference between a distance and the float it is rounded to.
 double rounding_of(float t) noexcept {
     return 0x1.0p-22 * std::abs(static_cast<double>(t)) + 0x1.0p-149;
 }
 
-// A part of the ray and the node to look for it in.
+// An interval of the ray and the node to search in it.
 struct Entry {
     std::uint32_t node;
     double enter;
     double exit;
 };
 
-// A ray as planes are met with it, component by axis.
+// A ray in the form that plane distances need, component by axis.
 class PlaneRay {
 public:
     explicit PlaneRay(const Ray& ray) noexcept {
@@ -72,19 +75,20 @@ public:
         }
     }
 
-    // The signed distance, see the head of this file.
+    // The signed distance to a plane; see the top of this file.
     [[nodiscard]] double distance(Axis axis, float position) const noexcept {
         const auto at = static_cast<std::size_t>(axis);
         return (static_cast<double>(position) - origin_[at]) * inverse_[at];
     }
 
-    // 0 if the ray comes to the side below a plane first, else 1.
+    // 0 if the ray reaches the lower side of a plane first, else 1.
     [[nodiscard]] std::uint32_t near_side(Axis axis) const noexcept {
         return near_side_[static_cast<std::size_t>(axis)];
     }
 
-    // The part of the ray inside a box, widened; empty (enter > exit) if it misses. Hits a little
-    // outside of t_min and t_max may be rounded onto them.
+    // The interval of the ray inside a box, widened by rounding; empty (enter > exit) if the ray
+    // misses it. It extends slightly beyond t_min and t_max, because hits there may be rounded to
+    // them.
     [[nodiscard]] Entry clip(const Ray& ray, const Aabb& box) const noexcept {
         Entry inside{0, ray.t_min - rounding_of(ray.t_min), ray.t_max + rounding_of(ray.t_max)};
         for (const Axis axis : all_axes) {
@@ -109,7 +113,8 @@ private:
     std::array<std::uint32_t, 3> near_side_;
 };
 
-// Keeps the best hit so far. A query decides what is done with hits.
+// Keeps the closest hit so far, or the first one if `any_hit`. A query decides what is done with
+// hits.
 template <bool any_hit>
 class OneHitQuery {
 public:
@@ -123,7 +128,7 @@ public:
         return any_hit;
     }
 
-    // Hits behind this are of no use.
+    // Hits beyond this distance are not needed.
     [[nodiscard]] float t_max() const noexcept { return hit_.t; }
 
     [[nodiscard]] std::optional<Hit> result() const noexcept {
@@ -138,7 +143,7 @@ private:
 using ClosestHitQuery = OneHitQuery<false>;
 using AnyHitQuery = OneHitQuery<true>;
 
-// Collects the first hits in order, as many as the list holds.
+// Collects the first hits in order, as many as the list has room for.
 class FirstKHitsQuery {
 public:
     FirstKHitsQuery(const Ray& ray, HitList& list) noexcept : t_max_(ray.t_max), list_(list) {}
@@ -156,7 +161,7 @@ private:
     HitList& list_;
 };
 
-// Counts nothing, at no cost.
+// Counts nothing and costs nothing.
 struct NoCounts {
     static void add_node() noexcept {}
 
@@ -197,8 +202,8 @@ public:
     }
 
 private:
-    // Goes to the first leaf that the ray meets at or below a node; siblings of nodes on the way
-    // that it meets later go onto the stack.
+    // Descends to the first leaf that the ray meets at or below a node. Pushes the siblings on the
+    // way that the ray meets later.
     KdNode go_down(Entry& at) noexcept {
         const KdNode* nodes = tree_.nodes().data();
         KdNode node = nodes[at.node];
@@ -213,7 +218,8 @@ private:
             } else if (to_plane < at.enter) {
                 at.node = far;
             } else {
-                // In this order a NaN gives the interval's own end.
+                // The order of arguments matters: if a distance is NaN, the result is the
+                // interval's own end.
                 stack_[size_++] = {far, std::max(at.enter, before(to_plane)), at.exit};
                 at.node = near;
                 at.exit = std::min(at.exit, behind(to_plane));
@@ -236,7 +242,7 @@ private:
         return false;
     }
 
-    // The next entry that may have a hit of use, or false.
+    // Pops the next entry that may contain a hit that counts; returns false if there is none.
     bool pop(Entry& at) noexcept {
         const float t_max = query_.t_max();
         const double limit = t_max + rounding_of(t_max);

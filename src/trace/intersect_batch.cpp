@@ -1,4 +1,4 @@
-// Queries of a k-d tree for many rays at once: each by itself, in ranges that tasks share out.
+// Batched ray queries of a k-d tree: each ray by itself, in ranges shared among tasks.
 
 #include "coppice/trace/intersect.h"
 

@@ -24,7 +24,8 @@ Bvh8::Bvh8(std::shared_ptr<const void> storage, std::span<const Bvh8Node> nodes,
            std::span<const TriangleBlock> blocks, const Aabb& bounds)
     : storage_(std::move(storage)), nodes_(nodes), blocks_(blocks), bounds_(bounds) {
     if (nodes_.empty()) {
-        throw Error(ErrorCode::invalid_argument, "an 8-wide tree needs at least a root");
+        throw Error(ErrorCode::invalid_argument,
+                    "an 8-wide tree without nodes: pass at least a root");
     }
 }
 

@@ -11,12 +11,12 @@
 
 namespace coppice::inline v0 {
 
-/// The findings of one validation, up to its limit.
+/// The issues found by one validation, up to its limit.
 class IssueList {
 public:
     explicit IssueList(std::size_t limit) : limit_(limit) {}
 
-    /// Takes down a finding unless there are enough.
+    /// Adds an issue unless the limit is reached.
     template <typename... Args>
     void report(ValidationIssueKind kind, std::uint64_t subject, fmt::format_string<Args...> format,
                 Args&&... args) {
@@ -24,7 +24,7 @@ public:
         findings_.push_back({kind, subject, fmt::format(format, std::forward<Args>(args)...)});
     }
 
-    /// In words. Not of an empty list.
+    /// The message of the first issue. The list must not be empty.
     [[nodiscard]] const std::string& first_message() const { return findings_.front().message; }
 
     [[nodiscard]] bool is_empty() const noexcept { return findings_.empty(); }

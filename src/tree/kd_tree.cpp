@@ -25,7 +25,8 @@ KdTree::KdTree(std::shared_ptr<Arrays> arrays, const Aabb& bounds)
 KdTree::KdTree(std::shared_ptr<const void> storage, std::span<const KdNode> nodes,
                std::span<const std::uint32_t> references, const Aabb& bounds)
     : storage_(std::move(storage)), nodes_(nodes), references_(references), bounds_(bounds) {
-    if (nodes_.empty()) throw Error(ErrorCode::invalid_argument, "a k-d tree needs a root node");
+    if (nodes_.empty())
+        throw Error(ErrorCode::invalid_argument, "a k-d tree without nodes: pass at least a root");
 }
 
 std::vector<KdNode> KdTree::release_nodes() {

@@ -1,6 +1,6 @@
-// Children come after their parents and have one each, so that one pass in order knows the depth of
-// every node before it is met, and walks end. What is asked of empty slots is what traversals rely
-// on: they come last, and no ray meets their box.
+// Each child must follow its parent and have no other parent. So one pass in order knows the depth
+// of every node before it reaches it, and every walk terminates. Empty slots must satisfy what
+// traversals rely on: they come last, and their boxes are empty.
 
 #include "tree/shape.h"
 
@@ -20,13 +20,14 @@ public:
         depths_[0] = 0;
     }
 
-    // For each node in order. False if it is too deep: one tells it all.
+    // Call it for each node in order. Returns false if the node is too deep; the check then ends,
+    // because one report suffices.
     bool enter(std::size_t node) {
         std::uint8_t& depth = depths_[node];
         if (depth == unknown) {
             issues_.report(ValidationIssueKind::unreachable_node, node, "node {} has no parent",
                            node);
-            depth = 0;  // what is below it has one
+            depth = 0;  // its descendants have a parent
         }
         if (depth <= max_depth_) return true;
         issues_.report(ValidationIssueKind::too_deep, node, "node {} is more than {} levels deep",
@@ -45,7 +46,7 @@ public:
                        parent, child, depths_.size());
     }
 
-    // A leaf of items [first, first + count).
+    // Checks a leaf of items [first, first + count).
     void add_leaf(std::size_t node, std::uint64_t first, std::uint64_t count,
                   std::uint64_t item_count, std::string_view items) {
         if (first + count <= item_count) return;
@@ -58,7 +59,7 @@ private:
     static constexpr std::uint8_t unknown = 0xff;
     static_assert(KdTree::max_depth < unknown - 1 && Bvh8::max_depth < unknown - 1);
 
-    std::vector<std::uint8_t> depths_;  // of children, set before they are met
+    std::vector<std::uint8_t> depths_;  // of each node, set when its parent is visited
     int max_depth_;
     IssueList& issues_;
 };

@@ -1,11 +1,11 @@
-// Checks a tree in three steps: its shape (each node reached once), its references (each in one
-// leaf, sorted, of existing primitives), then its contents against the primitives themselves, which
-// go down with the walk, filtered by their boxes only: not by the code that built the tree.
+// Checks a tree in three steps. Its shape: each node is reached once. Its references: each is in
+// one leaf, sorted, and of an existing primitive. Its contents: all primitives descend the tree,
+// filtered only by their boxes. This does not use the code that built the tree.
 //
-// Contents are judged with a tolerance around split planes: a leaf must refer to what reaches
-// further into it than that, and may refer to anything whose box comes within it. The tolerance is
-// a share of the node's size, and no less than what rounding does to coordinates of the
-// primitive's.
+// The third step has a tolerance around split planes. A leaf must refer to each primitive that
+// reaches into it by more than the tolerance, and may refer to any whose box comes within the
+// tolerance of it. The tolerance is a share of the node's size, and at least the rounding error of
+// the primitive's coordinates.
 
 #include "coppice/tree/validate.h"
 
@@ -23,8 +23,8 @@
 namespace coppice::inline v0 {
 namespace {
 
-// A leaf, or any node, as the walk meets it, with the box a primitive has to enter to belong to it
-// for certain: its box less the tolerance at every face that is a split plane.
+// A node on the walk. Its inner box is the cell reduced by the tolerance at every face that is a
+// split plane; a primitive that enters it certainly belongs to the node.
 struct Place {
     std::uint32_t index;
     Aabb box;
@@ -34,12 +34,13 @@ struct Place {
 float tolerance_at(const Aabb& box, SplitPlane plane) {
     const double scale =
         std::max(box.extent(plane.axis), std::abs(static_cast<double>(plane.position)));
-    // Where all is denormal, rounding is a matter of the smallest float.
+    // For denormal sizes, rounding is a matter of the smallest float.
     return static_cast<float>(1e-6 * scale) + 4.0F * std::numeric_limits<float>::denorm_min();
 }
 
-// The part of a place in which clipping finds a primitive with these bounds only if it is there:
-// conservative clipping may find one that stays outside by the rounding of its own coordinates.
+// The part of a place in which clipping finds a primitive with these bounds only if it is really
+// there. Conservative clipping may find a primitive that stays outside by the rounding error of its
+// coordinates.
 Aabb part_reached_for_certain(const Place& at, const Aabb& primitive) {
     Aabb part = at.inside;
     for (const Axis axis : all_axes) {
@@ -66,8 +67,8 @@ public:
     }
 
 private:
-    // Every leaf has a range of its own, of existing, ascending ids, and the ranges cover the
-    // array.
+    // Checks that the leaves have disjoint ranges of references which cover the array, with
+    // existing ids in ascending order.
     bool check_references() {
         const std::size_t count = tree_.references().size();
         std::vector<bool> is_owned(count, false);
@@ -81,8 +82,8 @@ private:
             const auto own_end = owned + static_cast<std::ptrdiff_t>(end);
             if (std::find(own_begin, own_end, true) != own_end) {
                 findings_.report(ValidationIssueKind::bad_range, i,
-                                 "leaf {} has references {} to {}, of which another leaf has some",
-                                 i, first, end);
+                                 "leaf {} has references {} to {}, which overlap another leaf's", i,
+                                 first, end);
                 continue;
             }
             std::fill(own_begin, own_end, true);
@@ -125,13 +126,13 @@ private:
             const Aabb box = primitives_.bounds(id);
             if (intersection(box, tree_.bounds()) != box) {
                 findings_.report(ValidationIssueKind::bounds_too_small, id,
-                                 "primitive {} leaves the tree's box", id);
+                                 "primitive {} extends beyond the tree's box", id);
             }
         }
         descend({0, tree_.bounds(), tree_.bounds()}, std::move(all));
     }
 
-    // `candidates`: the primitives whose boxes reach inside the node.
+    // Descends to a node. `candidates` are the primitives whose boxes reach into it.
     void descend(const Place& at, std::vector<std::uint32_t> candidates) {
         if (findings_.is_full()) return;
         const KdNode& node = tree_.nodes()[at.index];

@@ -1,7 +1,7 @@
-// Checks an 8-wide tree in two steps: its shape, then its contents: boxes are nested, every block
-// is in one leaf and holds the corners of existing triangles, and the points by which a triangle is
-// known (corners, middles of edges) lie in the boxes of leaves that refer to it. Points and not
-// boxes, because a leaf may be meant for a part of a triangle only.
+// Checks an 8-wide tree in two steps. Its shape. Its contents: boxes are nested, and every block is
+// in one leaf and holds the corners of existing triangles. For each triangle, six points (corners
+// and edge midpoints) must lie in the boxes of leaves that refer to it. Points are checked rather
+// than boxes, because a leaf may hold only a part of a triangle.
 
 #include "coppice/tree/validate.h"
 
@@ -18,7 +18,7 @@
 namespace coppice::inline v0 {
 namespace {
 
-// A face of a clipped box may be off by its rounding.
+// Enlarges a box by the rounding error that a clipped box may have.
 Aabb padded(const Aabb& box) {
     Aabb padded = box;
     for (const Axis axis : all_axes) {
@@ -79,7 +79,7 @@ private:
             const Aabb child_box = node.child_box(slot);
             if (child_box.is_empty() || intersection(child_box, box) != child_box) {
                 findings_.report(ValidationIssueKind::box_outside, index,
-                                 "child {} of node {} leaves its box", slot, index);
+                                 "child {} of node {} extends beyond the node's box", slot, index);
             }
             if (child.is_leaf()) {
                 check_leaf(index, child, padded(child_box));
@@ -113,7 +113,8 @@ private:
             }
             if (block.triangle(lane) != mesh_.triangle(id)) {
                 findings_.report(ValidationIssueKind::wrong_corners, at,
-                                 "block {} has other corners than triangle {}", at, id);
+                                 "block {} has corners that differ from those of triangle {}", at,
+                                 id);
             }
             const auto points = points_of(mesh_.triangle(id));
             for (std::size_t point = 0; point < point_count; ++point) {
@@ -125,7 +126,7 @@ private:
     const Bvh8& tree_;
     TriangleMeshView mesh_;
     std::vector<bool> is_block_met_;
-    std::vector<unsigned> found_points_;  // a bit for each
+    std::vector<unsigned> found_points_;  // six bits per triangle, one per point found
     IssueList findings_;
 };
 

@@ -152,7 +152,7 @@ TEST(RunWithThreads, RefusesFewerThanNone) {
         FAIL() << "it returned";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::invalid_argument);
-        EXPECT_STREQ(error.what(), "threads -1 is negative; 0 stands for all there are");
+        EXPECT_STREQ(error.what(), "threads must be 0 (all) or more, not -1");
     }
 }
 

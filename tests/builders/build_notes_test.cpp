@@ -118,7 +118,7 @@ TEST(Bvh8Notes, OnACrossoverThatTheSceneIsBelow) {
     const auto notes = notes_on(Bvh8Options{.sample = {.rate = 0.05, .seed = 3}}, few);
     ASSERT_EQ(notes.size(), 2U);
     EXPECT_EQ(notes[0], (BuildNote{"sample.rate",
-                                   "the scene has 1000 triangles, and those of fewer than "
+                                   "the scene has 1000 triangles; scenes of fewer than "
                                    "200000 are not sampled (sampled_from)"}));
     EXPECT_EQ(notes[1].option, "sample.seed");
     EXPECT_THAT(noted(Bvh8Options{.cell_size = 64}, few), ElementsAre("cell_size"));
@@ -148,7 +148,8 @@ TEST(BuildNotes, StandInTheReport) {
     EXPECT_EQ(wide.sample_count, 500U);
     const BuildReport kd = build_kd_tree(mesh.view(), {.sample = {.seed = 5}}).report;
     ASSERT_EQ(kd.notes.size(), 1U);
-    EXPECT_EQ(kd.notes[0], (BuildNote{"sample.seed", "all primitives are taken"}));
+    EXPECT_EQ(kd.notes[0],
+              (BuildNote{"sample.seed", "no sample is drawn: all primitives are used"}));
 }
 
 TEST(BuildNotes, MethodsAskForNothingInVain) {

@@ -35,7 +35,7 @@ TEST(Bvh8Options, NameWhatIsOutside) {
     EXPECT_EQ(error_of({.expected_rays = -1.0}), "expected rays -1 is outside [0, inf]");
     EXPECT_THAT(error_of({.expected_rays = std::nan("")}), StartsWith("expected rays nan"));
     EXPECT_EQ(error_of({.sample = {.rate = 2.0}}), "sample rate 2 is outside (0, 1]");
-    EXPECT_EQ(error_of({.threads = -1}), "threads -1 is negative; 0 stands for all there are");
+    EXPECT_EQ(error_of({.threads = -1}), "threads must be 0 (all) or more, not -1");
     EXPECT_THAT(error_of({.cost = {.intersection = 0.0}}), StartsWith("intersection cost 0"));
 }
 

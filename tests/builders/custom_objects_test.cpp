@@ -74,20 +74,20 @@ TEST(CustomSampler, ThatBreaksItsContractIsAnError) {
         return std::string("none");
     };
     EXPECT_EQ(error_of(take_first), "none");
-    EXPECT_EQ(error_of([](Sample&, std::uint32_t) {}), "the custom sampler drew nothing");
+    EXPECT_EQ(error_of([](Sample&, std::uint32_t) {}), "the custom sampler drew no primitives");
     EXPECT_EQ(error_of([](Sample& sample, std::uint32_t) {
                   sample.ids = {5, 100};
               }),
-              "the custom sampler drew primitive 100 of 100");
+              "the custom sampler drew id 100, but there are 100 primitives");
     EXPECT_EQ(error_of([](Sample& sample, std::uint32_t) {
                   sample.ids = {5, 5};
               }),
-              "the custom sampler drew ids that do not ascend");
+              "the custom sampler drew ids that are not strictly ascending");
     EXPECT_EQ(error_of([](Sample& sample, std::uint32_t) {
                   sample.ids = {5, 6};
                   sample.weights = {1.0F};
               }),
-              "the custom sampler gave 1 weights for 2 primitives");
+              "the custom sampler returned 1 weights for 2 primitives");
 }
 
 // Hands on to a rule of the library, and counts how often it is asked.

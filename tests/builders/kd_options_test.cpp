@@ -49,15 +49,15 @@ TEST(KdOptions, NamesWhatIsOutside) {
     EXPECT_EQ(error_of({.split = {.max_duplication = 0}}),
               "max duplication 0 is outside [1, 2^32)");
     EXPECT_EQ(error_of({.split = {.min_split = 0}}), "min split 0 is outside [1, 2^32)");
-    EXPECT_EQ(error_of({.threads = -1}), "threads -1 is negative; 0 stands for all there are");
+    EXPECT_EQ(error_of({.threads = -1}), "threads must be 0 (all) or more, not -1");
     EXPECT_EQ(error_of({.cost = {.traversal = -1.0}}), "traversal cost -1 is outside [0, inf)");
 }
 
 TEST(KdOptions, NamesWhatExists) {
     EXPECT_THAT(error_of({.sample = {.sampler = "best"}}),
-                StartsWith("no sampler 'best'; there are: uniform"));
+                StartsWith("unknown sampler 'best'; choose one of: uniform"));
     EXPECT_THAT(error_of({.split = {.rule = "best"}}),
-                StartsWith("no split rule 'best'; there are: sah, median, midpoint"));
+                StartsWith("unknown split rule 'best'; choose one of: sah, median, midpoint"));
 }
 
 TEST(KdOptions, EnumeratorsHaveStableNames) {

@@ -70,7 +70,8 @@ TEST(FindMethod, NamesThoseThatExist) {
         FAIL() << "no exception";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::invalid_argument);
-        EXPECT_THAT(error.what(), testing::StartsWith("no method 'best'; there are: exact, "));
+        EXPECT_THAT(error.what(),
+                    testing::StartsWith("unknown method 'best'; choose one of: exact, "));
     }
 }
 

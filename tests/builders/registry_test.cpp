@@ -82,8 +82,9 @@ TEST(FindSplitFinder, NamesThoseThatExist) {
         FAIL() << "no exception";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::invalid_argument);
-        EXPECT_THAT(error.what(),
-                    testing::StartsWith("no split rule 'best'; there are: sah, median, midpoint"));
+        EXPECT_THAT(
+            error.what(),
+            testing::StartsWith("unknown split rule 'best'; choose one of: sah, median, midpoint"));
     }
 }
 

@@ -40,7 +40,7 @@ expect_stderr_empty
 failing '^coppice: /dev/fd/99: ' coppice info /dev/fd/99
 failing '^coppice: /dev/stdin: empty file$' coppice info - </dev/null
 failing '^coppice: /dev/stdin: cannot read: Bad file descriptor$' eval 'coppice info - <&-'
-failing '^coppice: /dev/stdin: the name has no extension, and it begins like none of ' \
+failing '^coppice: /dev/stdin: the name has no extension, and the contents are not OBJ, PLY or OFF' \
     eval 'echo nonsense | coppice info -'
 failing '^coppice: /dev/stdin: file ends at byte 5000' eval 'head -c 5000 balls.ply | coppice info -'
 expect_exit 1 python3 "$tests/terminal.py" seen "$COPPICE" info -

@@ -79,7 +79,7 @@ done
 mkdir folder.png
 expect_exit 1 coppice render missing.obj -o folder.png
 expect_stderr_one_line
-expect_stderr 'folder.png: is a directory'
+expect_stderr 'folder.png: is a directory, not a file'
 
 expect_exit 1 coppice render balls.ply -o none/a.png
 expect_stderr '^coppice: none/a.png: cannot write the file: there is no folder none$'

@@ -39,7 +39,7 @@ refused() { # refused PATTERN CMD...
 refused 'tree.cpk: built for another mesh: [0-9]+ primitives, not ' coppice check tree.cpk hills.obj
 refused 'tree.cpk: built for another mesh: ' coppice trace hills.obj --tree tree.cpk
 refused 'tree.cpk: built for another mesh: ' coppice render hills.obj --tree tree.cpk -o x.png
-refused 'balls.ply: not a tree file of coppice' coppice trace balls.ply --tree balls.ply
+refused 'balls.ply: not a coppice tree file' coppice trace balls.ply --tree balls.ply
 refused 'none.cpk: no such file' coppice check none.cpk balls.ply
 refused 'tree.cpk: ' coppice check balls.ply tree.cpk
 head -c 1000 tree.cpk >cut.cpk

@@ -64,7 +64,7 @@ expect_exit 0 coppice render balls.ply -o a.png "${quick[@]}" --integrator ao --
 # What depends on the scene: this one is too small for a sample.
 expect_exit 0 coppice build balls.ply --sample 5%
 expect_stderr_empty
-expect_stdout '^  note     sample.rate: the scene has [0-9]+ triangles, and those of fewer than 200000 are not sampled'
+expect_stdout '^  note     sample.rate: the scene has [0-9]+ triangles; scenes of fewer than 200000 are not sampled'
 expect_exit 0 coppice build balls.ply --sample 5% --json
 expect_equal "$(python3 -c '
 import json, sys

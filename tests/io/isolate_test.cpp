@@ -50,9 +50,9 @@ TEST(RunIsolated, TellsHowItFailed) {
     };
     EXPECT_EQ(die_of(SIGSEGV), "crashed (Segmentation fault)");
     EXPECT_EQ(die_of(SIGABRT), "crashed (Aborted)");
-    EXPECT_EQ(die_of(SIGXCPU), "came to no end");
-    EXPECT_EQ(failure_of([]() -> std::string { throw std::runtime_error("no"); }), "gave up");
-    EXPECT_EQ(failure_of([]() -> std::string { _exit(0); }), "gave up");
+    EXPECT_EQ(die_of(SIGXCPU), "did not finish in time");
+    EXPECT_EQ(failure_of([]() -> std::string { throw std::runtime_error("no"); }), "failed");
+    EXPECT_EQ(failure_of([]() -> std::string { _exit(0); }), "failed");
     EXPECT_NE(failure_of([] { return std::string(std::size_t{1} << 40, 'x'); }), "");
 }
 
@@ -101,7 +101,7 @@ std::string refusal_of(const ImportAnswer& answer) {
 }
 
 TEST(ImportAnswer, IsNotTrusted) {
-    const std::string broken = "a.dae: Assimp broke its memory: the file is damaged";
+    const std::string broken = "a.dae: Assimp returned invalid data: the file is damaged";
     ImportAnswer answer = small_answer();
     answer.loaded.mesh.triangles[0][1] = 3;
     EXPECT_EQ(refusal_of(answer), broken);

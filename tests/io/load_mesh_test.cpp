@@ -55,7 +55,8 @@ TEST(LoadMesh, RefusesWhatIsNoFile) {
         EXPECT_EQ(error_of_file(folder / (std::string("a.") + extension), ErrorCode::io),
                   std::string("a.") + extension + ": no such file");
     }
-    EXPECT_EQ(error_of_file(folder / "folder.obj", ErrorCode::io), "folder.obj: is a directory");
+    EXPECT_EQ(error_of_file(folder / "folder.obj", ErrorCode::io),
+              "folder.obj: is a directory, not a file");
     EXPECT_EQ(error_of_file(folder / "pipe.obj", ErrorCode::io), "pipe.obj: not a regular file");
     EXPECT_EQ(error_of_file("/dev/zero", ErrorCode::io), "zero: not a regular file");
 }
@@ -90,7 +91,8 @@ TEST(LoadMesh, RefusesUnknownExtensions) {
     EXPECT_THAT(error, StartsWith("a.xyz: unknown mesh file extension '.xyz'"));
     EXPECT_EQ(error.find("Assimp") == std::string::npos, can_load_scene_files());
     EXPECT_EQ(error_of("a", "x", ErrorCode::unsupported),
-              "a: the name has no extension, and it begins like none of OBJ, PLY and OFF");
+              "a: the name has no extension, and the contents are not OBJ, PLY or OFF: add the "
+              "extension");
     EXPECT_THAT(error_of("a.stl.gz", gzipped("x"), ErrorCode::unsupported),
                 StartsWith("a.stl.gz: unknown mesh file extension '.stl.gz'"));
 }

@@ -162,7 +162,7 @@ TEST(LoadObj, NamesTheLineOfAVertexWithTooFewOrTooManyNumbers) {
     EXPECT_EQ(error_with("v 1 2\n"), "a.obj:4: vertex of 2 numbers (3, 4, 6 or 7 expected)");
     EXPECT_EQ(error_with("v\n"), "a.obj:4: vertex of 0 numbers (3, 4, 6 or 7 expected)");
     EXPECT_EQ(error_with("v 1 2 3 4 5\n"), "a.obj:4: vertex of 5 numbers (3, 4, 6 or 7 expected)");
-    EXPECT_EQ(error_with("v 1 2 3 x\n"), "a.obj:4: malformed number 'x' behind a vertex");
+    EXPECT_EQ(error_with("v 1 2 3 x\n"), "a.obj:4: malformed number 'x' after a vertex");
 }
 
 TEST(LoadObj, CountsLinesThroughCrlfCommentsAndContinuations) {

@@ -24,18 +24,20 @@ TEST(LoadOff, NamesTheLineOfABadRow) {
     };
     EXPECT_EQ(error("0 1 0\n3 0 1 2\n"), "");
     EXPECT_EQ(error("0 nan 0\n3 0 1 2\n"), "a.off:5: coordinate 'nan' is not finite");
-    EXPECT_EQ(error("0 1\n3 0 1 2\n"), "a.off:5: vertex of fewer than three numbers");
+    EXPECT_EQ(error("0 1\n3 0 1 2\n"), "a.off:5: vertex with fewer than three numbers");
     EXPECT_EQ(error("0 1 0\n3 0 1 3\n"), "a.off:6: vertex index 3 out of range (3 vertices)");
     EXPECT_EQ(error("0 1 0\n3 0 1 -1\n"), "a.off:6: vertex index -1 out of range (3 vertices)");
     EXPECT_EQ(error("0 1 0\n3 0 1 x\n"), "a.off:6: malformed vertex index 'x'");
-    EXPECT_EQ(error("0 1 0\n3 0 1\n"), "a.off:6: face of fewer than 3 indices");
+    EXPECT_EQ(error("0 1 0\n3 0 1\n"), "a.off:6: face with fewer than 3 indices");
     EXPECT_EQ(error("0 1 0\nx 0 1 2\n"), "a.off:6: malformed corner count 'x'");
-    EXPECT_EQ(error("0 1 0\n"), "a.off:5: file ends before all vertices and faces of its header");
+    EXPECT_EQ(error("0 1 0\n"),
+              "a.off:5: file ends before all vertices and faces that its header declares");
     EXPECT_EQ(error_of("a.off", "OFF\n4000000000 1 0\n0 0 0\n"),
-              "a.off:3: file ends before all vertices and faces of its header");
+              "a.off:3: file ends before all vertices and faces that its header declares");
     EXPECT_EQ(error_of("a.off", "OFF\n-1 1 0\n"), "a.off:2: malformed count '-1'");
     EXPECT_EQ(error_of("a.off", "OFF BINARY\n"), "a.off:1: malformed count 'BINARY'");
-    EXPECT_EQ(error_of("a.off", "4OFF\n"), "a.off:1: '4OFF' has not three dimensions");
+    EXPECT_EQ(error_of("a.off", "4OFF\n"),
+              "a.off:1: '4OFF' is not supported: only three-dimensional OFF files are");
     EXPECT_EQ(error_of("a.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n"), "a.off: no faces");
     EXPECT_EQ(error_of("a.off", "FOO\n"), "a.off:1: not an OFF file: it does not begin with 'OFF'");
 }

@@ -276,7 +276,7 @@ TEST(LoadPly, NamesTheLineOfABadHeader) {
     EXPECT_EQ(error("ply\nformat binary 1.0\n"), "a.ply:2: unknown PLY format 'binary 1.0'");
     EXPECT_EQ(error("ply\nend_header\n"), "a.ply:2: PLY header without a format");
     EXPECT_EQ(error("ply\nformat ascii 1.0\nelement vertex 3\n"),
-              "a.ply:3: PLY header without an end");
+              "a.ply:3: PLY header without 'end_header'");
     EXPECT_EQ(error("ply\nvertices 3\n"), "a.ply:2: unknown word 'vertices' in the PLY header");
     for (const char* const count : {"-1", "x", "", "1.5", "99999999999999999999"}) {
         EXPECT_EQ(error(std::string("ply\nelement vertex ") + count + "\n"),

@@ -68,7 +68,7 @@ TEST(MeshAttributes, WithoutLibraryAreGreyWithOneWarning) {
     EXPECT_THAT(missing.normals, IsEmpty());
     EXPECT_THAT(missing.triangle_normals, IsEmpty());
     EXPECT_THAT(attributes_of(make_file("a.obj", shape)).warnings,
-                ElementsAre(HasSubstr("2 of 2 materials are in no material file")));
+                ElementsAre(HasSubstr("2 of 2 materials are not defined in any material file")));
 }
 
 TEST(MeshAttributes, OfAMalformedLibraryKeepTheirDefaults) {

@@ -81,13 +81,13 @@ TEST_P(SaveMesh, RefusesWhatLoadMeshWouldRefuse) {
     TriangleMesh mesh = random_mesh(4, 2);
     mesh.triangles[1][2] = 4;
     EXPECT_EQ(save_error(mesh, file, ErrorCode::invalid_argument),
-              name + ": mesh with an index out of range");
+              name + ": the mesh has a vertex index out of range");
     mesh = random_mesh(4, 2);
     mesh.vertices[3].y = std::numeric_limits<float>::quiet_NaN();
     EXPECT_EQ(save_error(mesh, file, ErrorCode::invalid_argument),
-              name + ": mesh with a vertex that is not finite");
+              name + ": the mesh has a vertex that is not finite");
     EXPECT_EQ(save_error(TriangleMesh{}, file, ErrorCode::unsupported),
-              name + ": mesh without vertices");
+              name + ": the mesh has no vertices");
     EXPECT_FALSE(std::filesystem::exists(file));
 }
 
@@ -97,7 +97,7 @@ TEST(SaveMeshPly, KeepsPointClouds) {
     save_mesh(points.view(), folder / "a.ply");
     EXPECT_EQ(bits_of(load_mesh(folder / "a.ply")), bits_of(points));
     EXPECT_EQ(save_error(points, folder / "a.obj", ErrorCode::unsupported),
-              "a.obj: mesh without triangles; a point cloud needs a .ply file");
+              "a.obj: the mesh has no triangles: save a point cloud as .ply");
 }
 
 TEST(SaveMeshObj, WritesTheFewestDigits) {

@@ -75,7 +75,7 @@ TEST(WriteFile, RefusesWhatItCannotReplace) {
     EXPECT_EQ(write_error(folder / "none" / "a", "x"),
               "a: cannot write: No such file or directory");
     std::filesystem::create_directory(folder / "sub");
-    EXPECT_EQ(write_error(folder / "sub", "x"), "sub: is a directory");
+    EXPECT_EQ(write_error(folder / "sub", "x"), "sub: is a directory, not a file");
     ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
     EXPECT_EQ(write_error(folder / "pipe", "x"), "pipe: not a regular file");
     EXPECT_EQ(write_error("/dev/null", "x"), "null: not a regular file");

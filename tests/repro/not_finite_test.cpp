@@ -40,13 +40,15 @@ TEST(NotFinite, BoxesAreRefused) {
         std::vector<Vec3f> points(1000, Vec3f{1, 2, 3});
         points[700].y = bad;
         points[900].z = bad;
-        EXPECT_EQ(error_of(PointCloudView(points)), "primitive 700 has no finite box");
+        EXPECT_EQ(error_of(PointCloudView(points)),
+                  "primitive 700 has a box that is not finite: fix or remove it");
     }
     TriangleMesh mesh = make_soup(50'000, 0.1F, 1);  // checked in parallel, reported in order
     for (const std::size_t id : {49'999U, 33'333U, 16'500U}) {
         mesh.vertices[3 * id].x = infinity;
     }
-    EXPECT_EQ(error_of(mesh.view()), "primitive 16500 has no finite box");
+    EXPECT_EQ(error_of(mesh.view()),
+              "primitive 16500 has a box that is not finite: fix or remove it");
 }
 
 // The box of the other two corners is finite: such triangles were built on in silence, or another
@@ -58,7 +60,8 @@ TEST(NotFinite, TrianglesWithOneNanCornerAreRefused) {
             TriangleMesh bad = mesh;
             bad.vertices[3 * id + corner].y = nan;
             bad.vertices[std::size_t{3} * 950].x = infinity;
-            const std::string expected = "primitive " + std::to_string(id) + " has no finite box";
+            const std::string expected = "primitive " + std::to_string(id) +
+                                         " has a box that is not finite: fix or remove it";
             EXPECT_EQ(error_of(bad.view()), expected);
             EXPECT_EQ(error_of_bvh8(bad.view()), expected);
         }
@@ -72,7 +75,7 @@ TEST(NotFinite, BoxesAreRefusedByEstimates) {
         mesh.vertices[3 * id].x = nan;
     }
     const BuildControl limit{.memory_limit_bytes = std::uint64_t{1} << 40};
-    const std::string expected = "primitive 7 has no finite box";
+    const std::string expected = "primitive 7 has a box that is not finite: fix or remove it";
     EXPECT_EQ(error_of_build([&] { return estimate_kd_tree(mesh.view(), {}); }), expected);
     EXPECT_EQ(error_of_build([&] { return estimate_bvh8(mesh.view(), {}); }), expected);
     EXPECT_EQ(error_of_build([&] { return build_kd_tree(mesh.view(), {}, limit); }), expected);

@@ -126,8 +126,8 @@ TEST(FindSampler, NamesThoseThatExist) {
             FAIL() << "no exception";
         } catch (const Error& error) {
             EXPECT_EQ(error.code(), ErrorCode::invalid_argument);
-            EXPECT_THAT(error.what(),
-                        testing::StartsWith("no sampler '" + std::string(name) + "'; there are: "));
+            EXPECT_THAT(error.what(), testing::StartsWith("unknown sampler '" + std::string(name) +
+                                                          "'; choose one of: "));
             for (const std::string& known : sampler_names()) {
                 EXPECT_THAT(error.what(), testing::HasSubstr(known));
             }

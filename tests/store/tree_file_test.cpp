@@ -161,17 +161,17 @@ TEST(TreeFile, AnotherMeshIsRefused) {
     EXPECT_EQ(error_for(other), ": built for another mesh: 300 vertices, not 301");
     other = mesh;
     other.vertices.back().z = std::nextafter(other.vertices.back().z, 2.0F);
-    EXPECT_EQ(error_for(other), ": built for another mesh: its vertices are elsewhere");
+    EXPECT_EQ(error_for(other), ": built for another mesh: its vertex positions differ");
     other = mesh;
     std::swap(other.triangles[1], other.triangles[2]);
-    EXPECT_EQ(error_for(other), ": built for another mesh: its triangles have other corners");
+    EXPECT_EQ(error_for(other), ": built for another mesh: its vertex indices differ");
 }
 
 TEST(TreeFile, AnythingElseIsNoTreeFile) {
     EXPECT_EQ(error_of_tree(""), "tree.cpk: empty file");
     for (const std::string& bytes :
          {std::string("v 0 0 0\n"), std::string("x"), std::string(1000, '\0')}) {
-        EXPECT_EQ(error_of_tree(bytes), "tree.cpk: not a tree file of coppice");
+        EXPECT_EQ(error_of_tree(bytes), "tree.cpk: not a coppice tree file");
     }
 }
 
@@ -180,17 +180,17 @@ TEST(TreeFile, OtherVersionsByteOrdersAndLayoutsAreRefused) {
     TreeFileHeader header = header_of(bytes);
     header.version = 2;
     EXPECT_EQ(error_of_tree(forged(bytes, header), ErrorCode::unsupported),
-              "tree.cpk: of format version 2, and this is a program for version 1: build the tree "
+              "tree.cpk: format version 2, but this program reads version 1: build the tree "
               "again");
     header = header_of(bytes);
     header.byte_order = TreeFileHeader::other_byte_order;
     EXPECT_EQ(error_of_tree(forged(bytes, header), ErrorCode::unsupported),
-              "tree.cpk: written on a machine of another byte order: build the tree on this one");
+              "tree.cpk: written with another byte order: build the tree on this machine");
     header = header_of(bytes);
     header.node_bytes = 128;
     EXPECT_EQ(
         error_of_tree(forged(bytes, header), ErrorCode::unsupported),
-        "tree.cpk: of another layout: kind 1, a header of 192 bytes, nodes of 128 and blocks of "
+        "tree.cpk: unsupported layout: kind 1, a header of 192 bytes, nodes of 128 and blocks of "
         "320");
     header = header_of(bytes);
     header.kind = 7;
@@ -204,9 +204,8 @@ TEST(TreeFile, EveryTruncationIsRefused) {
         const std::string error = error_of_tree(bytes.substr(0, size));
         ASSERT_TRUE(error.starts_with("tree.cpk: truncated: ")) << size << ": " << error;
     }
-    EXPECT_EQ(
-        error_of_tree(bytes + "x"),
-        "tree.cpk: damaged: 1 bytes behind the end, which is at " + std::to_string(bytes.size()));
+    EXPECT_EQ(error_of_tree(bytes + "x"),
+              "tree.cpk: damaged: 1 bytes after the end at byte " + std::to_string(bytes.size()));
 }
 
 TEST(TreeFile, EveryFlippedBitIsFound) {
@@ -244,7 +243,7 @@ TEST(TreeFile, ForgedBoundsAreRefused) {
             TreeFileHeader header = header_of(bytes);
             header.bounds[1] = bound;
             EXPECT_EQ(error_of_tree(forged(bytes, header)),
-                      "tree.cpk: not a sound tree: its bounds are no finite box");
+                      "tree.cpk: invalid tree: its bounds are not a finite box");
         }
     }
 }
@@ -258,7 +257,7 @@ TEST(TreeFile, AForgedKdTreeCannotLeadOutOfItsArrays) {
         return error_of_tree(with_changed<KdNode>(bytes, root, [&](KdNode& at) { at = node; }));
     };
     const auto count = static_cast<std::uint32_t>(header.node_count);
-    const std::string start = "tree.cpk: not a sound tree: ";
+    const std::string start = "tree.cpk: invalid tree: ";
     EXPECT_EQ(error_with_root(KdNode::make_inner({}, PlanarSide::below, count - 1)),
               start + "node 0 has the child " + std::to_string(count) + " of " +
                   std::to_string(count) +
@@ -282,7 +281,7 @@ TEST(TreeFile, ATreeTooDeepIsRefused) {
     const std::filesystem::path file = fresh_folder() / "tree.cpk";
     save_tree(file, KdTree(nodes, {}, Aabb{{0, 0, 0}, {1, 1, 1}}), {});
     EXPECT_EQ(error_of_tree(read_file(file)),
-              "tree.cpk: not a sound tree: node 121 is more than 60 levels deep");
+              "tree.cpk: invalid tree: node 121 is more than 60 levels deep");
 }
 
 TEST(TreeFile, AForgedBvh8CannotLeadOutOfItsArrays) {
@@ -300,7 +299,7 @@ TEST(TreeFile, AForgedBvh8CannotLeadOutOfItsArrays) {
         return error_of_tree(with_changed<TriangleBlock>(bytes, blocks, change));
     };
     EXPECT_EQ(error_with_child(Bvh8Child::make_inner(count)),
-              "tree.cpk: not a sound tree: node 0 has the child " + std::to_string(count) + " of " +
+              "tree.cpk: invalid tree: node 0 has the child " + std::to_string(count) + " of " +
                   std::to_string(count) +
                   " nodes: out of range, not after its parent, or already used by another node");
     EXPECT_NE(error_with_child(Bvh8Child::make_inner(0)), "");

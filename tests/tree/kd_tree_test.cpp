@@ -33,7 +33,7 @@ TEST(KdTree, NeedsARoot) {
         FAIL() << "no exception";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::invalid_argument);
-        EXPECT_STREQ(error.what(), "a k-d tree needs a root node");
+        EXPECT_STREQ(error.what(), "a k-d tree without nodes: pass at least a root");
     }
 }
 

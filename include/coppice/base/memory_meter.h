@@ -9,12 +9,12 @@
 
 namespace coppice::inline v0 {
 
-/// Counts the bytes that the arrays of a build hold, and the most they ever held together. Those
-/// who allocate tell it (MeteredBytes); it is passed along by pointer, and without one nothing is
-/// counted. May be told from several threads at once.
+/// Counts the bytes that the arrays of a build hold, and their peak. Code that allocates a large
+/// array reports it through MeteredBytes. Builders pass the meter along as a pointer; null disables
+/// counting. Safe to use from several threads at once.
 class MemoryMeter {
 public:
-    /// So many bytes more are held.
+    /// Adds `bytes` to the bytes held, and updates the peak.
     void add(std::uint64_t bytes) noexcept {
         const std::uint64_t held = held_.fetch_add(bytes, std::memory_order_relaxed) + bytes;
         std::uint64_t peak = peak_.load(std::memory_order_relaxed);
@@ -22,13 +22,13 @@ public:
         }
     }
 
-    /// So many bytes are held no longer.
+    /// Subtracts `bytes` from the bytes held.
     void remove(std::uint64_t bytes) noexcept { held_.fetch_sub(bytes, std::memory_order_relaxed); }
 
-    /// Bytes held now.
+    /// The number of bytes held now.
     [[nodiscard]] std::uint64_t held_bytes() const noexcept { return held_; }
 
-    /// The most bytes held at once so far.
+    /// The greatest number of bytes held at once so far.
     [[nodiscard]] std::uint64_t peak_bytes() const noexcept { return peak_; }
 
 private:
@@ -36,32 +36,34 @@ private:
     std::atomic<std::uint64_t> peak_{0};
 };
 
-/// The bytes of one array, counted by a meter for as long as this lives: it is created beside the
-/// array, moved with it and dropped with it. Arrays below `least_bytes` are not counted: they are
-/// too many to be worth it, and only a few of them, by far too small to matter, live at once.
+/// Counts the bytes of one array in a MemoryMeter for as long as this object lives. Keep it beside
+/// the array: move it and destroy it together with the array. Arrays below `least_bytes` are not
+/// counted: there are too many of them to count cheaply, and those alive at any moment are too few
+/// to matter.
 class MeteredBytes {
 public:
-    /// What is smaller is not counted.
+    /// Smaller arrays are not counted.
     static constexpr std::uint64_t least_bytes = 4096;
 
     MeteredBytes() = default;
 
-    /// Counts `bytes` from now on; the meter may be null, else it must outlive this.
+    /// Counts `bytes` until destruction. `meter` may be null, which disables counting; otherwise it
+    /// must outlive this object.
     MeteredBytes(MemoryMeter* meter, std::uint64_t bytes) noexcept
         : meter_(bytes < least_bytes ? nullptr : meter), bytes_(bytes) {
         if (meter_ != nullptr) meter_->add(bytes_);
     }
 
-    /// Counts what a vector has allocated; what it allocates later is not seen.
+    /// Counts the current capacity of a vector. Later growth of the vector is not noticed.
     template <typename T>
     MeteredBytes(MemoryMeter* meter, const std::vector<T>& array) noexcept
         : MeteredBytes(meter, std::uint64_t{array.capacity() * sizeof(T)}) {}
 
-    /// Takes over what the other one counts.
+    /// Takes over the count of `other`.
     MeteredBytes(MeteredBytes&& other) noexcept
         : meter_(std::exchange(other.meter_, nullptr)), bytes_(other.bytes_) {}
 
-    /// Takes over what the other one counts; its own bytes are gone.
+    /// Takes over the count of `other`; the bytes counted before are subtracted.
     MeteredBytes& operator=(MeteredBytes&& other) noexcept {
         std::swap(meter_, other.meter_);
         std::swap(bytes_, other.bytes_);
@@ -74,7 +76,7 @@ public:
 
     ~MeteredBytes() { release(); }
 
-    /// The array is gone.
+    /// Stops counting: call it when the array is freed.
     void release() noexcept {
         if (meter_ != nullptr) meter_->remove(bytes_);
         meter_ = nullptr;
@@ -85,8 +87,8 @@ private:
     std::uint64_t bytes_ = 0;
 };
 
-/// The most memory that this process has held so far, as the system counts it (the "VmHWM" of
-/// Linux); 0 where the system does not tell.
+/// The peak memory of this process in bytes, as the system reports it ("VmHWM" on Linux). 0 where
+/// the system does not report it.
 [[nodiscard]] COPPICE_EXPORT std::uint64_t process_peak_bytes() noexcept;
 
 }  // namespace coppice::inline v0

@@ -8,9 +8,9 @@
 
 namespace coppice::inline v0 {
 
-// What all registries of named entries have in common; an entry has a member `name`.
+// Helpers for registries: arrays of entries that each have a member `name`.
 
-/// The names of a registry's entries, in order: "fixed, scaled, grown".
+/// The names of all entries in order, separated by commas: "fixed, scaled, grown".
 template <typename Entry>
 [[nodiscard]] std::string names_of(std::span<const Entry> entries) {
     std::string names;
@@ -21,16 +21,17 @@ template <typename Entry>
     return names;
 }
 
-/// The entry of that name. Throws Error(invalid_argument) naming those that exist; `what` is the
-/// singular word for an entry.
+/// The entry called `name`. Throws Error(invalid_argument) with a list of the existing names if
+/// there is none. `what` is the singular noun for an entry, used in that message.
 template <typename Entry>
 [[nodiscard]] const Entry& find_named(std::span<const Entry> entries, std::string_view name,
                                       std::string_view what) {
     for (const Entry& entry : entries) {
         if (entry.name == name) return entry;
     }
-    throw Error(ErrorCode::invalid_argument, "no " + std::string(what) + " '" + std::string(name) +
-                                                 "'; there are: " + names_of(entries));
+    throw Error(ErrorCode::invalid_argument, "unknown " + std::string(what) + " '" +
+                                                 std::string(name) +
+                                                 "'; choose one of: " + names_of(entries));
 }
 
 }  // namespace coppice::inline v0

@@ -17,32 +17,33 @@ namespace coppice::inline v0 {
 /// The number of hardware threads this process may use; at least 1, and 1 where tasks run serially.
 [[nodiscard]] COPPICE_EXPORT int hardware_thread_count() noexcept;
 
-/// The rule for every number of threads in this library: at most so many, and 0 for all that the
-/// hardware has. Throws Error(invalid_argument) if it is negative.
+/// Throws Error(invalid_argument) if `thread_count` is negative. Every thread count in this library
+/// is an upper limit, and 0 stands for all hardware threads.
 COPPICE_EXPORT void require_thread_count(int thread_count);
 
-/// Runs `work` with at most `thread_count` threads for everything parallel inside it
-/// (0 = all the hardware has). Throws Error(invalid_argument) if it is negative. Exceptions of
-/// `work` reach the caller. Once a stop is requested, no task inside begins any more, those that
-/// run end at their next throw_if_cancelled(), and Error(cancelled) is thrown.
+/// Runs `work`; everything parallel inside it uses at most `thread_count` threads (0 = all hardware
+/// threads). Throws Error(invalid_argument) if `thread_count` is negative. Exceptions of `work`
+/// reach the caller. Once `stop` is requested, no further task starts, running tasks end at their
+/// next throw_if_cancelled(), and Error(cancelled) is thrown.
 COPPICE_EXPORT void run_with_threads(int thread_count, const std::function<void()>& work,
                                      const std::stop_token& stop = {});
 
-/// Throws Error(cancelled) if the parallel work that this is part of is being given up, because a
-/// stop was requested or another task of it threw; takes a few nanoseconds. All functions below do
-/// so when they are done: who gets past them has all of the result.
+/// Throws Error(cancelled) if the surrounding parallel work is being cancelled, because a stop was
+/// requested or because another of its tasks threw. Costs a few nanoseconds. All functions below
+/// call it before they return, so that a caller never sees a partial result.
 COPPICE_EXPORT void throw_if_cancelled();
 
-/// Runs both tasks, possibly at the same time, and returns when both are done.
+/// Runs both tasks, possibly at the same time. Returns when both have finished.
 COPPICE_EXPORT void parallel_invoke(const std::function<void()>& first,
                                     const std::function<void()>& second);
 
-/// Calls `body(begin, end)` on disjoint chunks of at most `chunk_size` that cover [0, count).
-/// Chunk boundaries are multiples of `chunk_size`, whatever the number of threads.
+/// Calls `body(begin, end)` for disjoint chunks of at most `chunk_size` elements that together
+/// cover [0, count). Chunk boundaries are multiples of `chunk_size` and do not depend on the number
+/// of threads.
 COPPICE_EXPORT void parallel_for_chunks(std::size_t count, std::size_t chunk_size,
                                         const std::function<void(std::size_t, std::size_t)>& body);
 
-/// Sorts numbers in ascending order, in parallel where there are many.
+/// Sorts numbers in ascending order; in parallel if there are more than a few thousand.
 COPPICE_EXPORT void parallel_sort(std::span<std::uint64_t> values);
 
 }  // namespace coppice::inline v0

@@ -4,9 +4,10 @@
 
 namespace coppice::inline v0 {
 
-/// A uniformly distributed 64-bit word that depends on (seed, counter) alone: the counter-based
-/// generator behind every random choice, so that results do not depend on threads or order.
-/// Two rounds of the SplitMix64 finalizer. Source: [Steele2014] sec. 5, [Salmon2011].
+/// A uniformly distributed 64-bit word that depends on (seed, counter) alone. This counter-based
+/// generator is behind every random choice of the library, so that results do not depend on threads
+/// or on order. Two rounds of the SplitMix64 finalizer.
+/// Source: [Steele2014] sec. 5, [Salmon2011].
 [[nodiscard]] constexpr std::uint64_t random_bits(std::uint64_t seed,
                                                   std::uint64_t counter) noexcept {
     const auto mix = [](std::uint64_t z) {

@@ -6,7 +6,7 @@
 
 namespace coppice::inline v0 {
 
-/// A stopwatch on the monotonic wall clock, running from its construction.
+/// A stopwatch on the monotonic wall clock. Starts at construction.
 class Timer {
 public:
     /// Seconds since construction or the last restart().
@@ -22,10 +22,10 @@ private:
     Clock::time_point start_ = Clock::now();
 };
 
-/// Processor seconds that all threads of this process have used so far, together.
+/// The CPU time, in seconds, that all threads of this process have used so far, summed.
 [[nodiscard]] COPPICE_EXPORT double process_cpu_seconds() noexcept;
 
-/// A stopwatch on the processor time of the whole process, running from its construction.
+/// A stopwatch on the CPU time of the whole process. Starts at construction.
 class CpuTimer {
 public:
     /// Seconds since construction or the last restart().

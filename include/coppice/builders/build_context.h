@@ -5,12 +5,13 @@
 
 namespace coppice::inline v0 {
 
-/// What the stages of a build tell while they work. An empty one costs nothing measurable.
+/// Receives what the stages of a build report while they run. An empty context costs nothing
+/// measurable.
 ///
-/// A stop needs no member: run_with_threads() ends all work inside it.
+/// Cancellation needs no member here: run_with_threads() ends all work inside it.
 struct BuildContext {
-    MemoryMeter* memory = nullptr;  ///< counts the stages' arrays; null: nothing is counted
-    Progress* progress = nullptr;   ///< is told what is done; null: nothing is told
+    MemoryMeter* memory = nullptr;  ///< counts the stages' arrays; null disables it
+    Progress* progress = nullptr;   ///< receives the progress; null disables it
 };
 
 }  // namespace coppice::inline v0

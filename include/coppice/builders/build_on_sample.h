@@ -9,9 +9,9 @@
 
 namespace coppice::inline v0 {
 
-/// Second stage: a k-d tree over the sampled primitives, top-down. Its box is that of *all*
-/// primitives, so that the others fit in later. Deterministic for any number of threads.
-/// The stages take primitives as they are: build_kd_tree() has checked them before.
+/// Second stage: builds a k-d tree over the sampled primitives, top-down. Its box is that of *all*
+/// primitives, so that the others fit in later. Deterministic for any number of threads. Stages do
+/// not check the primitives; build_kd_tree() does before it calls them.
 /// Source: [Tsiompikas2022] sec. 4.3.1, [Pharr2016] sec. 4.4.
 [[nodiscard]] COPPICE_EXPORT KdTree build_on_sample(PrimitiveSetView primitives,
                                                     const Sample& sample, const KdOptions& options,

@@ -11,15 +11,15 @@
 
 namespace coppice::inline v0 {
 
-/// What one stage of a build took, and how much came out of it.
+/// Times and output size of one stage of a build.
 struct StageReport {
-    double wall_seconds = 0.0;  ///< from its begin to its end
-    double cpu_seconds = 0.0;   ///< of all threads of the process
-    std::uint64_t items = 0;    ///< see StageReports
+    double wall_seconds = 0.0;  ///< wall-clock time of the stage
+    double cpu_seconds = 0.0;   ///< CPU time of all threads of the process
+    std::uint64_t items = 0;    ///< number of results, see StageReports
 };
 
-/// The five stages of a build. One that had nothing to do is all 0: a tree of all primitives that
-/// is built until no split pays is finished after the second.
+/// The five stages of a build. A stage with nothing to do is all 0. For example, a tree of all
+/// primitives that is split until no split pays is complete after the second stage.
 struct StageReports {
     StageReport sample;  ///< items: primitives drawn
     StageReport build;   ///< items: nodes of the sampled tree
@@ -40,45 +40,45 @@ struct StageReports {
     }
 };
 
-/// What a build is expected to come to, told before it.
+/// The expected size and time of a build, computed before it.
 struct BuildEstimate {
-    double references = 0.0;  ///< of the finished tree
-    double bytes = 0.0;       ///< of the tree
-    double peak_bytes = 0.0;  ///< of the build's arrays, the tree included
-    double seconds = 0.0;     ///< wall clock
+    double references = 0.0;  ///< references of the finished tree
+    double bytes = 0.0;       ///< bytes of the finished tree
+    double peak_bytes = 0.0;  ///< peak bytes of the build's arrays, tree included
+    double seconds = 0.0;     ///< wall-clock time of the build
 };
 
-/// An option that was asked for and had no effect, or another one, and why.
+/// An option that had no effect in a build, or another effect than it says, with the reason.
 struct BuildNote {
-    std::string option;  ///< its name, e.g. "sample.rate"
-    std::string reason;  ///< e.g. "max_leaf limits nothing where termination is sah"
+    std::string option;  ///< name of the option, e.g. "sample.rate"
+    std::string reason;  ///< e.g. "replaced by split.custom_rule"
 
     friend bool operator==(const BuildNote&, const BuildNote&) = default;
 };
 
-/// What a build was asked for, what it did, why they differ, and the measured tree.
+/// What a build was asked to do, what it did, why they differ, and the statistics of the tree.
 struct BuildReport {
-    BuildOptions options;  ///< as asked for
-    std::string method;    ///< the name in method_registry(), if it was built by name
-    SampleOptions sample;  ///< as it was drawn; a rate of 1 if all primitives were taken
-    Bvh8Preset preset = Bvh8Preset::automatic;  ///< that an 8-wide tree was built by
-    std::string preset_reason;  ///< why it is a smaller one than `automatic` had chosen, or nothing
-    std::vector<BuildNote> notes;       ///< on what was asked for and not done; see notes_on()
-    std::uint32_t primitive_count = 0;  ///< over which the tree is built
-    std::uint32_t sample_count = 0;     ///< drawn from them
-    StageReports stages;                ///< what each of them took
-    std::uint64_t tree_bytes = 0;       ///< of the finished tree
-    std::uint64_t peak_bytes = 0;  ///< the most that the build's arrays held, the tree included
-    std::optional<BuildEstimate> estimate;  ///< if one was asked for before the build
+    BuildOptions options;  ///< options as passed to the build
+    std::string method;    ///< name in method_registry(), or empty
+    SampleOptions sample;  ///< sampling as done; rate 1 if all primitives were used
+    Bvh8Preset preset = Bvh8Preset::automatic;  ///< preset that an 8-wide tree was built with
+    std::string preset_reason;          ///< why `automatic` had to use a smaller preset, or empty
+    std::vector<BuildNote> notes;       ///< options without effect; see notes_on()
+    std::uint32_t primitive_count = 0;  ///< primitives in the tree
+    std::uint32_t sample_count = 0;     ///< primitives drawn for the sample
+    StageReports stages;                ///< times of the stages
+    std::uint64_t tree_bytes = 0;       ///< bytes of the finished tree
+    std::uint64_t peak_bytes = 0;       ///< peak bytes of the build's arrays, the tree included
+    std::optional<BuildEstimate> estimate;  ///< made before the build, if one was
     TreeStatistics statistics;  ///< of the finished tree; all 0 unless BuildControl::is_measured
 };
 
-/// The options that have no effect on a build of `primitive_count` primitives, or another than they
-/// ask for. What is left at its default is not asked for.
+/// Returns the options that would have no effect on a build of `primitive_count` primitives, or
+/// another effect than they say. Only options that differ from their defaults are considered.
 [[nodiscard]] COPPICE_EXPORT std::vector<BuildNote> notes_on(const KdOptions& options,
                                                              std::uint32_t primitive_count);
 
-/// The same for the 8-wide tree.
+/// Returns the options that would have no effect on a build of an 8-wide tree.
 [[nodiscard]] COPPICE_EXPORT std::vector<BuildNote> notes_on(const Bvh8Options& options,
                                                              std::uint32_t primitive_count);
 

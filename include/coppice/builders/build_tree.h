@@ -12,31 +12,32 @@
 
 namespace coppice::inline v0 {
 
-/// A k-d tree and how it was built.
+/// The result of build_kd_tree().
 struct KdBuild {
     KdTree tree;         ///< what was built
     BuildReport report;  ///< what that took
 };
 
-/// An 8-wide tree and how it was built.
+/// The result of build_bvh8().
 struct Bvh8Build {
     Bvh8 tree;           ///< what was built
     BuildReport report;  ///< what that took
 };
 
-/// The whole pipeline: sample, build, empty, refill, refine, measure. Deterministic: the same
-/// primitives, options and seed give the same tree, bit for bit, for any number of threads.
-/// Throws Error(invalid_argument) for options out of range, for the first primitive that is not
-/// valid (see PrimitiveSet) and for the first whose box is not finite, Error(limit) for too many
-/// references and a memory limit, Error(cancelled) after a stop, Error(out_of_memory); whatever it
-/// throws, nothing is left behind.
+/// Builds a k-d tree with the whole pipeline: sample, build, empty, refill, refine, measure.
+/// Deterministic: equal primitives, options and seed give the same tree to the bit, for any number
+/// of threads. Throws Error: invalid_argument for options out of range, for the first primitive
+/// that is invalid (see PrimitiveSet) and for the first whose box is not finite; limit for too many
+/// references or an exceeded memory limit; cancelled after a stop request; out_of_memory. After an
+/// error, all memory has been freed.
 [[nodiscard]] COPPICE_EXPORT KdBuild build_kd_tree(PrimitiveSetView primitives,
                                                    const KdOptions& options = {},
                                                    const BuildControl& control = {});
 
-/// The same with an 8-wide tree as the result: a top from a sample, all triangles filled into its
-/// cells, and every cell built on by object splits. The tree keeps a copy of the triangles'
-/// corners. Throws Error(limit) for more than 2^30 triangles, too.
+/// Builds an 8-wide tree: a top tree from a sample, all triangles filled into its cells, and every
+/// cell refined by object splits. The tree keeps a copy of the triangles' corners. Deterministic
+/// like build_kd_tree(). Throws as build_kd_tree() does, and Error(limit) for more than 2^30
+/// triangles.
 [[nodiscard]] COPPICE_EXPORT Bvh8Build build_bvh8(TriangleMeshView mesh,
                                                   const Bvh8Options& options = {},
                                                   const BuildControl& control = {});

@@ -8,24 +8,24 @@
 
 namespace coppice::inline v0 {
 
-/// How much an 8-wide tree may cost to build.
+/// The trade-off between build time and tracing speed of an 8-wide tree.
 enum class Bvh8Preset {
-    automatic,  ///< fast, or quality where 30 rays and more are expected for a triangle; at a
-                ///< sample rate of 1 fast takes its own sample: 1 %, weighted
-    fast,       ///< least build time: cells by centroids, nothing is cut
-    balanced,   ///< cells by planes, which cut the triangles between them: better for large ones
-    quality     ///< spatial splits throughout, at most 1.1 references a triangle: for many rays
+    automatic,  ///< quality if at least 30 rays per triangle are expected, else fast; at
+                ///< sample rate 1, fast draws its own sample: 1 %, weighted
+    fast,       ///< least build time: cells by centroids, no triangle is cut
+    balanced,   ///< cells by planes that cut triangles: better for large triangles
+    quality     ///< spatial splits, at most 1.1 references a triangle: for many rays
 };
 
-/// All that build_bvh8() depends on, beside the mesh.
+/// All options of build_bvh8().
 struct Bvh8Options {
-    SampleOptions sample;                       ///< of scenes of `sampled_from` triangles and more
-    Bvh8Preset preset = Bvh8Preset::automatic;  ///< how much the build may cost
-    double expected_rays = 1e7;            ///< that will be traced: what `automatic` goes by; >= 0
-    std::uint32_t cell_size = 0;           ///< triangles a cell is to hold, >= 64; 0: the preset's
+    SampleOptions sample;                       ///< for scenes of at least `sampled_from` triangles
+    Bvh8Preset preset = Bvh8Preset::automatic;  ///< trade-off of build time and tracing speed
+    double expected_rays = 1e7;                 ///< rays to be traced, for `automatic`; >= 0
+    std::uint32_t cell_size = 0;           ///< target triangles per cell, >= 64; 0: the preset's
     std::uint32_t sampled_from = 200'000;  ///< scenes of fewer triangles are not sampled
-    SahCostModel cost;  ///< what the tree is measured by; splits have constants of their own
-    int threads = 0;    ///< at most so many; 0 = all the hardware has
+    SahCostModel cost;  ///< for measuring the tree; splits use fixed cost constants
+    int threads = 0;    ///< greatest number of threads; 0 = all hardware threads
 };
 
 /// Throws Error(invalid_argument) naming the first option outside its range.

@@ -11,16 +11,16 @@
 
 namespace coppice::inline v0 {
 
-/// What build_kd_tree() is expected to come to with these primitives and options: from building a
-/// sixteenth of the scene, in pieces from all over it. Takes about a fifth of the time of the
-/// build, of an 8-wide tree's up to half. The seconds are for memory that the process has not
-/// touched yet. All but the seconds depends on primitives and options alone; these are of this
-/// machine, now. Throws like build_kd_tree().
+/// Estimates the size and time of build_kd_tree() with these primitives and options. Builds a
+/// sixteenth of the scene, in pieces spread over all of it; that takes about a fifth of the build
+/// time. Everything but the seconds depends on primitives and options alone. The seconds hold for
+/// this machine at this time, and for memory that the process has not touched yet. Throws as
+/// build_kd_tree() does.
 [[nodiscard]] COPPICE_EXPORT BuildEstimate estimate_kd_tree(PrimitiveSetView primitives,
                                                             const KdOptions& options = {},
                                                             const std::stop_token& stop = {});
 
-/// The same of build_bvh8().
+/// Estimates the size and time of build_bvh8() in the same way. Takes up to half of the build time.
 [[nodiscard]] COPPICE_EXPORT BuildEstimate estimate_bvh8(TriangleMeshView mesh,
                                                          const Bvh8Options& options = {},
                                                          const std::stop_token& stop = {});

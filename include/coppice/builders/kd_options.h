@@ -13,56 +13,57 @@ namespace coppice::inline v0 {
 
 class SplitFinder;
 
-/// What a primitive's box becomes when a plane cuts it.
+/// How a primitive's box is computed when a plane cuts it.
 enum class Clipping {
     perfect,      ///< the box of the primitive's part on that side (perfect splits)
     bounding_box  ///< the box cut at the plane
 };
 
-/// What a sampled primitive counts in the costs and leaf sizes of the sampled tree.
+/// The weight of a sampled primitive in the costs and leaf sizes of the sampled tree.
 enum class SampleWeighting {
-    sampled,  ///< one, as in the thesis
-    expected  ///< as many as it stands for: 1 / its probability to be drawn, in steps of 1/256
+    sampled,  ///< 1, as in the thesis
+    expected  ///< the inverse of its inclusion probability, in steps of 1/256
 };
 
-/// When a node of the sampled tree becomes a leaf.
+/// The condition for a node of the sampled tree to become a leaf.
 enum class Termination {
-    limits,  ///< at max_leaf primitives, or after bad_refines splits that do not pay
-    sah      ///< when no split on any axis costs less than the leaf
+    limits,  ///< max_leaf primitives reached, or bad_refines splits did not pay
+    sah      ///< no split on any axis costs less than the leaf
 };
 
-/// When and where the sampled tree is split. Source: [Tsiompikas2022] sec. 4.3.1.
+/// Where the sampled tree is split and when splitting ends.
+/// Source: [Tsiompikas2022] sec. 4.3.1.
 struct SplitOptions {
-    std::string rule = "sah";     ///< a name of split_finder_registry()
-    int max_depth = 50;           ///< leaves are no deeper; in [0, 60]
-    std::uint32_t max_leaf = 32;  ///< no node with at most so many primitives is split; >= 1
-    int bad_refines = 3;          ///< the split that would be the n-th on its path to cost more
-                                  ///< than the leaf is refused; >= 1
-    Clipping clipping = Clipping::perfect;  ///< what is done with a primitive that a plane cuts
-    SampleWeighting sample_weighting =
-        SampleWeighting::sampled;                   ///< what a sampled primitive counts
-    Termination termination = Termination::limits;  ///< when a node becomes a leaf
-    /// Where splits go on as long as they pay, in a build that stops so and in growth: nodes of
-    /// fewer primitives are not split; >= 1.
+    std::string rule = "sah";     ///< name of a split rule, see split_finder_registry()
+    int max_depth = 50;           ///< greatest depth of a leaf; in [0, 60]
+    std::uint32_t max_leaf = 32;  ///< nodes of at most this many primitives become leaves; >= 1
+    int bad_refines = 3;          ///< splits that cost more than the leaf: the n-th one on a
+                                  ///< path is refused; >= 1
+    Clipping clipping = Clipping::perfect;  ///< box of a primitive that a plane cuts
+    SampleWeighting sample_weighting = SampleWeighting::sampled;  ///< weight of a sampled primitive
+    Termination termination = Termination::limits;                ///< condition for a leaf
+    /// Nodes of fewer primitives are not split; >= 1. Applies with Termination::sah and in
+    /// LeafRefinement::kd.
     std::uint32_t min_split = 1;
-    /// There, too: references that a primitive may become, on average along a path; >= 1.
+    /// Limit of the average number of references per primitive along a path; >= 1. Applies with
+    /// Termination::sah and in LeafRefinement::kd.
     std::uint32_t max_duplication = std::numeric_limits<std::uint32_t>::max();
-    std::shared_ptr<const SplitFinder> custom_rule = {};  ///< one of your own, instead of `rule`
+    std::shared_ptr<const SplitFinder> custom_rule = {};  ///< your own, instead of `rule`
 };
 
-/// How the refilled leaves go on.
+/// How the leaves are refined after the refill.
 enum class LeafRefinement {
-    none,  ///< they do not: the thesis's tree
-    kd     ///< each is built on as a k-d tree until no split pays
+    none,  ///< not at all: the thesis's tree
+    kd     ///< each leaf is split as a k-d tree until no split pays
 };
 
-/// All that build_kd_tree() depends on, beside the primitives.
+/// All options of build_kd_tree().
 struct KdOptions {
-    SampleOptions sample;  ///< which primitives the tree is built from
-    SplitOptions split;    ///< when and where nodes are split
-    LeafRefinement leaf_refinement = LeafRefinement::kd;  ///< how the refilled leaves go on
-    SahCostModel cost;  ///< what splits are chosen and the tree is measured by
-    int threads = 0;    ///< at most so many; 0 = all the hardware has
+    SampleOptions sample;  ///< the sample that the tree is built from
+    SplitOptions split;    ///< where nodes are split and when splitting ends
+    LeafRefinement leaf_refinement = LeafRefinement::kd;  ///< refinement after the refill
+    SahCostModel cost;  ///< for choosing splits and measuring the tree
+    int threads = 0;    ///< greatest number of threads; 0 = all hardware threads
 };
 
 /// Throws Error(invalid_argument) naming the first option outside its range.

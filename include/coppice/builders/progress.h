@@ -8,21 +8,21 @@
 
 namespace coppice::inline v0 {
 
-/// How far a build is, for BuildControl::on_progress. Stages come one after another, each a share
-/// of the whole that is known before it; what is done of a stage may be told from several threads
-/// at once.
+/// The progress of a build, for BuildControl::on_progress. A build has stages, each with a share of
+/// the whole that is known in advance. add() may be called from several threads at once.
 class COPPICE_EXPORT Progress {
 public:
-    /// Tells the listener that nothing is done yet.
+    /// Calls `listener` with 0.
     explicit Progress(std::function<void(double)> listener);
 
-    /// All before it is done; the next stage is so much of the whole.
+    /// Starts a stage that is `share` of the whole. All stages before it count as done.
     void begin_stage(double share);
 
-    /// Such a share of the stage is done, beside what was told before.
+    /// Adds `share_of_stage` to what is done of the current stage. Calls the listener if enough has
+    /// been added since its last call.
     void add(double share_of_stage);
 
-    /// All is done.
+    /// Calls the listener with 1.
     void finish();
 
 private:
@@ -31,8 +31,8 @@ private:
     std::function<void(double)> listener_;
     double stage_begin_ = 0.0;
     double stage_share_ = 0.0;
-    std::atomic<double> done_{0.0};       // of the stage
-    std::atomic<double> next_told_{0.0};  // nothing less is told
+    std::atomic<double> done_{0.0};       // share of the current stage
+    std::atomic<double> next_told_{0.0};  // smaller values are not reported
     std::mutex mutex_;
 };
 

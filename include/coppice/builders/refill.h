@@ -8,10 +8,10 @@
 
 namespace coppice::inline v0 {
 
-/// Fourth stage: every primitive goes down to every leaf that it touches (a point to the one that
-/// holds it), by the very rules of the builder: on a skeleton built from all primitives it gives
-/// back the builder's leaves. No primitive is lost. The skeleton's box must hold all primitives.
-/// Throws Error(limit) if there would be more than 2^32 - 1 references.
+/// Fourth stage: puts every primitive into every leaf that it touches (a point into the leaf that
+/// contains it). Uses the builder's own rules, so that refilling a skeleton built from all
+/// primitives restores the builder's leaves. No primitive is lost. The skeleton's box must contain
+/// all primitives. Throws Error(limit) if there would be more than 2^32 - 1 references.
 /// Source: [Tsiompikas2022] sec. 4.3.3.
 [[nodiscard]] COPPICE_EXPORT KdTree refill(Skeleton&& skeleton, PrimitiveSetView primitives,
                                            const KdOptions& options,

@@ -14,36 +14,38 @@
 
 namespace coppice::inline v0 {
 
-/// A primitive's box clipped to the node that refers to it.
+/// A builder's entry for a primitive in a node: its box clipped to the node, and its id.
 struct PrimRef {
-    Aabb box;              ///< of the part inside the node
-    std::uint32_t id = 0;  ///< of the primitive
-    float weight = 1.0F;   ///< how many primitives it stands for in costs; >= 1
+    Aabb box;              ///< box of the primitive's part inside the node
+    std::uint32_t id = 0;  ///< id of the primitive
+    float weight = 1.0F;   ///< number of primitives it counts as in costs; >= 1
 };
 
 static_assert(sizeof(PrimRef) == 32);
 
-/// A plane to split a node at, where primitives in the plane go, and what the split costs.
+/// A split of a node: the plane, the side of primitives that lie in the plane, and the cost.
 struct SplitCandidate {
-    SplitPlane plane;                            ///< strictly inside the node
-    PlanarSide planar_side = PlanarSide::below;  ///< where primitives in the plane go
-    double cost = 0.0;                           ///< SahCostModel::split_cost() of it
+    SplitPlane plane;                            ///< plane strictly inside the node
+    PlanarSide planar_side = PlanarSide::below;  ///< side of primitives in the plane
+    double cost = 0.0;                           ///< SahCostModel::split_cost() of the split
 };
 
-/// The sum of the weights; exact, so that it does not depend on their order (see SampleWeighting).
+/// The sum of the PrimRefs' weights. Exact, so that it does not depend on their order (see
+/// SampleWeighting).
 [[nodiscard]] COPPICE_EXPORT double weight_of(std::span<const PrimRef> prim_refs) noexcept;
 
-/// A node about to be split: its box (never without area) and its PrimRefs (never none).
+/// A node to be split, and how to compare splits.
 struct SplitQuery {
-    std::span<const PrimRef> prim_refs;  ///< at least one
-    Aabb box;                            ///< of the node; never without area
-    const SahCostModel& cost;            ///< by which splits are compared
-    double acceptable_cost;  ///< a rule that can choose looks further than its first axis until it
-                             ///< finds a split that costs less
-    Isa isa = Isa::scalar;   ///< that the processor has; the split does not depend on it
+    std::span<const PrimRef> prim_refs;  ///< the node's PrimRefs; at least one
+    Aabb box;                            ///< the node's box; has an area
+    const SahCostModel& cost;            ///< cost model to compare splits with
+    double acceptable_cost;  ///< a rule that tries one axis after another continues until
+                             ///< a split costs less than this
+    Isa isa = Isa::scalar;   ///< instruction set to use; does not change the split
 };
 
-/// Finds where to split a node. Stateless; called from several threads at once.
+/// Interface of split rules: finds where to split a node. Stateless; called from several threads at
+/// once.
 class SplitFinder {
 public:
     SplitFinder() = default;
@@ -51,22 +53,22 @@ public:
     SplitFinder& operator=(const SplitFinder&) = delete;
     virtual ~SplitFinder() = default;
 
-    /// A plane strictly inside the box, or nothing if the rule has none to offer.
+    /// Returns a split at a plane strictly inside the box, or nothing if the rule finds none.
     [[nodiscard]] virtual std::optional<SplitCandidate> find(const SplitQuery& query) const = 0;
 
-    /// True if find() gives the cheapest split at any end of any PrimRef on any axis, of equal ones
-    /// the first by axis, then by position. Whole trees are then built from events sorted once,
-    /// which gives the same tree sooner, and find() is asked about small nodes only, if at all.
+    /// True if find() returns the cheapest split at any end of any PrimRef on any axis; of equal
+    /// ones the first by axis, then by position. Builders then sort events once for the whole tree,
+    /// which gives the same tree sooner, and call find() for small nodes only, if at all.
     [[nodiscard]] virtual bool finds_cheapest_end() const noexcept { return false; }
 
-    /// True if a build that splits as long as it pays may cut the boxes of primitives in place of
-    /// the primitives where a node has few: faster, and a little worse.
+    /// True if builds that split as long as a split pays may, in small nodes, clip the boxes of
+    /// primitives instead of the primitives: faster, with slightly worse trees.
     [[nodiscard]] virtual bool allows_loose_small_nodes() const noexcept { return false; }
 };
 
-/// A split rule under its name, with one line on what it does.
+/// A registered split rule.
 struct SplitFinderEntry {
-    std::string_view name;      ///< how options call it
+    std::string_view name;      ///< name in SplitOptions
     std::string_view summary;   ///< what it does, in one line
     const SplitFinder& finder;  ///< lives as long as the program
 };
@@ -74,11 +76,12 @@ struct SplitFinderEntry {
 /// All split rules; the first is the default.
 [[nodiscard]] COPPICE_EXPORT std::span<const SplitFinderEntry> split_finder_registry();
 
-/// The rule of that name. Throws Error(invalid_argument) naming those that exist.
+/// The split rule called `name`. Throws Error(invalid_argument) with a list of the valid names if
+/// there is none.
 [[nodiscard]] COPPICE_EXPORT const SplitFinder& find_split_finder(std::string_view name);
 
-/// The rule that the options ask for: their own, or that of the name. Throws like
-/// find_split_finder().
+/// The split rule of the options: `custom_rule` if set, else the one called `rule`. Throws as
+/// find_split_finder() does.
 [[nodiscard]] COPPICE_EXPORT const SplitFinder& split_finder_of(const SplitOptions& options);
 
 }  // namespace coppice::inline v0

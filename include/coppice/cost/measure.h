@@ -8,14 +8,15 @@
 
 namespace coppice::inline v0 {
 
-/// Counts a tree and computes its cost bottom-up: C(leaf) = t_isect n, C(inner) = t_trav +
-/// SA(below)/SA C(below) + SA(above)/SA C(above). Children of a node without area (a line, a
-/// point) count nothing: no ray meets them. Source: [Tsiompikas2022] eq. 4 to 6.
+/// Counts the nodes and references of a tree and computes its cost bottom-up: C(leaf) = t_isect n,
+/// C(inner) = t_trav + SA(below)/SA C(below) + SA(above)/SA C(above). Children of a node without
+/// area (a line or a point) add no cost, because no ray meets them.
+/// Source: [Tsiompikas2022] eq. 4 to 6.
 [[nodiscard]] COPPICE_EXPORT TreeStatistics measure(const KdTree& tree, const SahCostModel& model);
 
-/// The same of an 8-wide tree: nodes of eight as inner nodes, leaf slots as leaves, and a block of
-/// eight triangles as what costs one intersection, for that is how they are tested. A reference is
-/// a triangle in a leaf.
+/// The statistics of an 8-wide tree. Its nodes are the inner nodes, its leaf slots the leaves, and
+/// a reference is a triangle in a leaf. A block of eight triangles costs one intersection, because
+/// its triangles are tested together.
 [[nodiscard]] COPPICE_EXPORT TreeStatistics measure(const Bvh8& tree, const SahCostModel& model);
 
 }  // namespace coppice::inline v0

@@ -9,21 +9,21 @@ namespace coppice::inline v0 {
 
 /// A plane perpendicular to an axis.
 struct SplitPlane {
-    Axis axis = Axis::x;    ///< which it is perpendicular to
-    float position = 0.0F;  ///< on that axis
+    Axis axis = Axis::x;    ///< the axis that is perpendicular to the plane
+    float position = 0.0F;  ///< coordinate on that axis
 
     friend constexpr bool operator==(const SplitPlane&, const SplitPlane&) = default;
 };
 
 /// An axis-aligned box, closed on all sides. The empty box is lower = +inf, upper = -inf.
 struct Aabb {
-    /// That of float.
+    /// The infinity of float.
     static constexpr float infinity = std::numeric_limits<float>::infinity();
 
     Vec3f lower{infinity, infinity, infinity};     ///< the least coordinates
     Vec3f upper{-infinity, -infinity, -infinity};  ///< the greatest
 
-    /// True if no point is in it: its bounds are inverted or NaN.
+    /// True if the box contains no point: its bounds are inverted or NaN.
     [[nodiscard]] constexpr bool is_empty() const noexcept {
         return !(lower.x <= upper.x && lower.y <= upper.y && lower.z <= upper.z);
     }
@@ -38,7 +38,7 @@ struct Aabb {
         return std::max(0.0, static_cast<double>(upper[axis]) - static_cast<double>(lower[axis]));
     }
 
-    /// The longest axis; the first of equals.
+    /// The axis of the longest edge; the first such axis if several are equally long.
     [[nodiscard]] constexpr Axis longest_axis() const noexcept {
         Axis longest = Axis::x;
         for (const Axis axis : {Axis::y, Axis::z}) {
@@ -61,13 +61,13 @@ struct Aabb {
                lower.z <= p.z && p.z <= upper.z;
     }
 
-    /// True if the closed boxes share at least a point.
+    /// True if the closed boxes have at least one point in common.
     [[nodiscard]] constexpr bool overlaps(const Aabb& other) const noexcept {
         return lower.x <= other.upper.x && other.lower.x <= upper.x && lower.y <= other.upper.y &&
                other.lower.y <= upper.y && lower.z <= other.upper.z && other.lower.z <= upper.z;
     }
 
-    /// Makes it the least box that holds the point, too.
+    /// Extends the box so that it contains `p`.
     constexpr void grow(Vec3f p) noexcept {
         for (const Axis axis : all_axes) {
             lower[axis] = std::min(lower[axis], p[axis]);
@@ -75,7 +75,7 @@ struct Aabb {
         }
     }
 
-    /// Makes it the least box that holds the other one, too.
+    /// Extends the box so that it contains `other`.
     constexpr void grow(const Aabb& other) noexcept {
         for (const Axis axis : all_axes) {
             lower[axis] = std::min(lower[axis], other.lower[axis]);
@@ -98,7 +98,7 @@ struct Aabb {
     return box;
 }
 
-/// The common part of two boxes; empty if they do not overlap.
+/// The intersection of two boxes; empty if they do not overlap.
 [[nodiscard]] constexpr Aabb intersection(const Aabb& a, const Aabb& b) noexcept {
     Aabb common;
     for (const Axis axis : all_axes) {

@@ -7,7 +7,7 @@
 
 namespace coppice::inline v0 {
 
-/// The part of a triangle that a point of it belongs to. Edge i runs from corner i to corner i + 1.
+/// The feature of a triangle that a point lies on. Edge i runs from corner i to corner i + 1.
 enum class TriangleFeature : std::uint8_t {
     face,
     edge_0,
@@ -18,18 +18,19 @@ enum class TriangleFeature : std::uint8_t {
     corner_2
 };
 
-/// The point of a triangle that is closest to another point.
+/// The point of a triangle that is closest to a query point.
 struct ClosestPoint {
-    double distance_squared = 0.0;  ///< between the two
-    Vec3f point;                    ///< rounded to float
+    double distance_squared = 0.0;  ///< squared distance between the two points
+    Vec3f point;                    ///< the closest point, rounded to float
     float u = 0.0F;                 ///< barycentric coordinate of the second corner, in [0, 1]
-    float v = 0.0F;                 ///< of the third
-    TriangleFeature feature = TriangleFeature::face;  ///< what it lies on
+    float v = 0.0F;                 ///< barycentric coordinate of the third corner, in [0, 1]
+    TriangleFeature feature = TriangleFeature::face;  ///< feature that the point lies on
 };
 
-/// The point of a triangle closest to `to`, in double precision; neither may be NaN or infinite.
-/// Two triangles that share an edge or a corner to which a point is closest have the very same
-/// squared distance to it. Triangles without area are the segments or points they are.
+/// Returns the point of `triangle` that is closest to `to`, computed in double precision. No
+/// coordinate may be NaN or infinite. Two triangles that share an edge or a corner have equal
+/// squared distances, to the bit, to every point that is closest to that edge or corner. A triangle
+/// without area is treated as the segment or point that it is.
 [[nodiscard]] COPPICE_EXPORT ClosestPoint closest_point(const Triangle& triangle,
                                                         Vec3f to) noexcept;
 

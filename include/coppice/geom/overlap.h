@@ -6,10 +6,10 @@
 
 namespace coppice::inline v0 {
 
-/// True if a triangle and a closed box have a point in common, as far as double precision can tell:
-/// where they touch, or miss each other by less than 2^-48 of their distances and sizes, they
-/// overlap. An empty box overlaps nothing; one without extent or without end will do. The
-/// triangle's corners must be finite.
+/// True if a triangle and a closed box have a point in common, to within double precision: they
+/// also count as overlapping if the gap between them is less than 2^-48 of their distances and
+/// sizes. An empty box overlaps nothing. Boxes without extent and boxes with infinite bounds are
+/// allowed. The corners of the triangle must be finite.
 /// Source: [AkenineMoller2001].
 [[nodiscard]] COPPICE_EXPORT bool overlaps(const Triangle& triangle, const Aabb& box) noexcept;
 

@@ -9,16 +9,16 @@
 
 namespace coppice::inline v0 {
 
-/// Points that are not owned and must outlive the view. Satisfies PrimitiveSet: primitive i is
-/// point i.
+/// A view of an array of points. Does not own the array, which must outlive the view. Satisfies
+/// PrimitiveSet: primitive i is point i.
 class COPPICE_EXPORT PointCloudView {
 public:
     PointCloudView() = default;
 
-    /// Throws Error(limit) for 2^32 points or more: ids have 32 bits.
+    /// A view of `points`. Throws Error(limit) for 2^32 points or more, since ids have 32 bits.
     explicit PointCloudView(std::span<const Vec3f> points);
 
-    /// The points viewed.
+    /// The points of the cloud.
     [[nodiscard]] std::span<const Vec3f> points() const noexcept { return points_; }
 
     /// Number of points.
@@ -26,12 +26,12 @@ public:
         return static_cast<std::uint32_t>(points_.size());
     }
 
-    /// The degenerate box of point `id`, id < size().
+    /// The box of point `id`, whose corners are both the point itself; id < size().
     [[nodiscard]] Aabb bounds(std::uint32_t id) const noexcept {
         return {points_[id], points_[id]};
     }
 
-    /// bounds(id) if the point lies in `box`, else the empty box.
+    /// bounds(id) if the point lies in `box`, otherwise the empty box.
     [[nodiscard]] Aabb clipped_bounds(std::uint32_t id, const Aabb& box) const noexcept {
         return box.contains(points_[id]) ? bounds(id) : Aabb{};
     }
@@ -40,8 +40,9 @@ private:
     std::span<const Vec3f> points_;
 };
 
-/// The distinct positions among `points`, in a random order that depends on `seed` alone: the
-/// thesis's primitives. -0 and +0 are the same position. At most 2^32 - 1 points; none may be NaN.
+/// The distinct positions among `points`, in a random order that depends on `seed` alone. The
+/// thesis builds its trees on such a list. -0 and +0 are the same position. At most 2^32 - 1
+/// points; none may be NaN.
 /// Source: [Tsiompikas2022] sec. 4.2.
 [[nodiscard]] COPPICE_EXPORT std::vector<Vec3f> shuffled_distinct_points(
     std::span<const Vec3f> points, std::uint64_t seed);

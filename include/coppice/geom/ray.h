@@ -11,26 +11,26 @@
 
 namespace coppice::inline v0 {
 
-/// The points origin + t * direction with t in [t_min, t_max]. The direction need not have unit
-/// length; t is measured in multiples of it.
+/// A ray: the points origin + t * direction with t in [t_min, t_max]. The direction need not have
+/// unit length; t is measured in multiples of its length.
 struct Ray {
-    Vec3f origin;                                          ///< where t is 0
-    Vec3f direction;                                       ///< not zero
-    float t_min = 0.0F;                                    ///< nothing is hit before it
-    float t_max = std::numeric_limits<float>::infinity();  ///< nothing is hit behind it
+    Vec3f origin;                                          ///< the point at t = 0
+    Vec3f direction;                                       ///< of any length but zero
+    float t_min = 0.0F;                                    ///< hits at a smaller t do not count
+    float t_max = std::numeric_limits<float>::infinity();  ///< hits at a greater t do not count
 };
 
-/// True if a ray can hit anything: finite origin, finite direction other than zero, and
-/// t_min <= t_max with t_max >= 0. All other rays hit nothing.
+/// True if a ray can hit anything: its origin is finite, its direction is finite and not zero,
+/// t_min <= t_max and t_max >= 0. All other rays hit nothing.
 [[nodiscard]] inline bool is_traceable(const Ray& ray) noexcept {
     return is_finite(ray.origin) && is_finite(ray.direction) && ray.direction != Vec3f{} &&
            ray.t_min <= ray.t_max && ray.t_max >= 0.0F;
 }
 
-/// The axes x, y, z as a ray sees them: that of its direction's longest component (the first of
-/// equals) becomes z, the others follow in cyclic order.
+/// A permutation of the axes that suits a ray. The axis of the direction's longest component (the
+/// first of equals) becomes z; the other two follow in cyclic order.
 struct RayAxes {
-    // Without branches: of incoherent rays no processor can predict the longest component.
+    // Written without branches: the longest component of incoherent rays is unpredictable.
     /// The axes for rays of this direction.
     explicit RayAxes(Vec3f direction) noexcept {
         const float longer = std::max(std::abs(direction.x), std::abs(direction.y));
@@ -43,23 +43,24 @@ struct RayAxes {
     }
 
     std::size_t x;  ///< index of the first axis
-    std::size_t y;  ///< of the second
-    std::size_t z;  ///< of the one along which the direction is longest
+    std::size_t y;  ///< index of the second axis
+    std::size_t z;  ///< index of the axis of the longest component
 };
 
-/// Where a ray meets a primitive; one with infinite t, as a default one has, is no hit. For
-/// triangles (u, v) are the barycentric coordinates of the second and third vertex; `normal` is (b
-/// - a) x (c - a), which points to the side from which the corners a, b, c are seen in
-/// counter-clockwise order. Its length is twice the triangle's area: for edges above 1e19 it
-/// overflows, for edges below 1e-22 it is 0.
+/// A hit of a ray with a primitive. A default-constructed Hit has infinite t and stands for no hit.
+/// For triangles, (u, v) are the barycentric coordinates of the second and third vertex, and
+/// `normal` is (b - a) x (c - a). The normal points to the side from which the corners a, b, c
+/// appear in counter-clockwise order. Its length is twice the area of the triangle; it overflows
+/// for edges above 1e19 and is 0 for edges below 1e-22.
 struct Hit {
     float t = std::numeric_limits<float>::infinity();  ///< distance in multiples of the direction
-    float u = 0.0F;                                    ///< weight of the second vertex
-    float v = 0.0F;                                    ///< weight of the third
+    float u = 0.0F;                                    ///< barycentric, of the second vertex
+    float v = 0.0F;                                    ///< barycentric, of the third vertex
     std::uint32_t prim = 0;                            ///< id of the primitive
-    Vec3f normal;                                      ///< of any length
+    Vec3f normal;                                      ///< geometric normal, not normalized
 
-    /// False for what batches write where a ray hits nothing.
+    /// True if this is a hit. Batched queries write a Hit that is none for each ray that hits
+    /// nothing.
     [[nodiscard]] bool is_hit() const noexcept {
         return t < std::numeric_limits<float>::infinity();
     }

@@ -10,7 +10,7 @@ namespace coppice::inline v0 {
 /// A coordinate axis; the values index the components of a vector.
 enum class Axis : std::uint8_t { x = 0, y = 1, z = 2 };
 
-inline constexpr std::array<Axis, 3> all_axes{Axis::x, Axis::y, Axis::z};  ///< x, y, z.
+inline constexpr std::array<Axis, 3> all_axes{Axis::x, Axis::y, Axis::z};  ///< x, y, z
 
 /// The axis after this one, cyclically: x, y, z, x ...
 [[nodiscard]] constexpr Axis next_axis(Axis axis) noexcept {
@@ -20,9 +20,9 @@ inline constexpr std::array<Axis, 3> all_axes{Axis::x, Axis::y, Axis::z};  ///< 
 /// A point or direction of three components, addressable by axis.
 template <typename T>
 struct Vec3 {
-    T x{};  ///< along the first axis
-    T y{};  ///< along the second
-    T z{};  ///< along the third
+    T x{};  ///< component along the first axis
+    T y{};  ///< component along the second axis
+    T z{};  ///< component along the third axis
 
     /// The component along an axis.
     [[nodiscard]] constexpr T operator[](Axis axis) const noexcept {
@@ -42,13 +42,13 @@ struct Vec3 {
     /// The difference.
     friend constexpr Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
-    /// The vector, s times as long.
+    /// The product with a scalar.
     friend constexpr Vec3 operator*(T s, Vec3 v) { return {s * v.x, s * v.y, s * v.z}; }
 };
 
-/// A vector in single precision, as meshes have it.
+/// A vector of floats, the type of mesh vertices.
 using Vec3f = Vec3<float>;
-/// A vector in double precision.
+/// A vector of doubles.
 using Vec3d = Vec3<double>;
 
 /// The same vector in double precision.

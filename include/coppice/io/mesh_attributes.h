@@ -8,9 +8,9 @@
 
 namespace coppice::inline v0 {
 
-/// How a surface looks, in the terms of MTL, the material files of OBJ. Colours are linear.
+/// The appearance of a surface, in the terms of MTL, the material files of OBJ. Colours are linear.
 struct Material {
-    std::string name;                 ///< in the file
+    std::string name;                 ///< name in the file
     Vec3f diffuse{0.6F, 0.6F, 0.6F};  ///< Kd
     Vec3f specular;                   ///< Ks
     Vec3f emission;                   ///< Ke
@@ -18,21 +18,23 @@ struct Material {
     int illumination = 1;             ///< illum: 2 has highlights, 3 and above reflects
 };
 
-/// What a file tells of its triangles beside their corners, as far as it does.
+/// Materials and normals of a mesh, as far as its file has them.
 struct MeshAttributes {
-    /// An index of nothing: a triangle without material, a corner without normal.
+    /// The index that stands for no material or no normal.
     static constexpr std::uint32_t none = 0xffffffff;
 
-    /// All that the file defines.
+    /// All materials that the file defines.
     std::vector<Material> materials;
     /// One index into `materials`, or `none`, per triangle; empty if there are no materials.
     std::vector<std::uint32_t> triangle_materials;
-    /// Not normalised; one that is zero or not finite is none. Empty if the file has none.
+    /// Normals, not normalized. A normal that is zero or not finite counts as missing. Empty if the
+    /// file has none.
     std::vector<Vec3f> normals;
-    /// Indices into `normals`, or `none`, of each triangle's corners. If it is empty, normals
-    /// belong to the vertices: normals[v] to vertex v.
+    /// Indices into `normals`, or `none`, for each triangle's corners. If empty, normals belong to
+    /// vertices: normals[v] is the normal of vertex v.
     std::vector<TriangleIndices> triangle_normals;
-    /// What could not be read, a line each: it is left out, and does not fail the loading.
+    /// One line for each thing that could not be read and was left out. None of them makes loading
+    /// fail.
     std::vector<std::string> warnings;
 };
 

@@ -8,22 +8,23 @@
 
 namespace coppice::inline v0 {
 
-/// Writes `contents` to a temporary name beside `file`, then renames it over `file`: readers see
-/// the old file or the whole new one. Throws Error(io), and leaves no temporary file behind.
+/// Writes `contents` to a temporary name beside `file`, then renames it to `file`. Readers see the
+/// old file or the whole new one. Throws Error(io) if that fails; no temporary file remains.
 COPPICE_EXPORT void write_file(const std::filesystem::path& file, std::string_view contents);
 
-/// What is to be in a file.
+/// A file to write, with its contents.
 struct FileContents {
-    std::filesystem::path file;  ///< its path
-    std::string_view contents;   ///< all of its bytes
+    std::filesystem::path file;  ///< path of the file
+    std::string_view contents;   ///< all bytes of the file
 };
 
-/// The same with several files: only when all are written are they renamed. Throws Error(io).
+/// Writes several files as write_file() does. None is renamed before all are written. Throws
+/// Error(io).
 COPPICE_EXPORT void write_files(std::span<const FileContents> files);
 
-/// The file that writing to `file` makes or replaces: what it links to, or itself. Throws Error(io)
-/// if there is anything but a regular file: a folder, or a device or pipe, which the rename would
-/// replace.
+/// Returns the file that writing to `file` creates or replaces: the target of a symbolic link,
+/// otherwise `file` itself. Throws Error(io) if that exists and is no regular file: a folder, or a
+/// device or pipe, which the rename would replace.
 [[nodiscard]] COPPICE_EXPORT std::filesystem::path write_target(const std::filesystem::path& file);
 
 }  // namespace coppice::inline v0

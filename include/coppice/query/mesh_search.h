@@ -18,58 +18,62 @@ namespace coppice::inline v0 {
 
 struct MeshSearchKernels;
 
-/// Finds triangles by their place with an 8-wide tree: the nearest, the k nearest, those within a
-/// distance, those that overlap a box. What is found equals brute_force_*() to the bit, on every
-/// instruction set: distances are those of closest_point(), overlaps those of overlaps(), and of
+/// Spatial queries for triangles in an 8-wide tree: the nearest, the k nearest, those within a
+/// distance, those that overlap a box. Results equal those of brute_force_*() to the bit, on every
+/// instruction set. Distances are those of closest_point(), overlaps those of overlaps(). Of
 /// equally near triangles the lowest id comes first.
 ///
-/// Queries are reentrant, allocate nothing and never throw, but for the batched ones, which start
-/// tasks, and throw Error(invalid_argument) for spans that do not fit together and for negative
-/// `threads` (0 = all). Nothing is found near a
-/// point that is not finite, within a distance that is negative or NaN, or in a box that is empty.
-/// Distances are inclusive, in the units of the mesh.
+/// Queries of one point or box are reentrant, allocate nothing and never throw. Batched queries
+/// start tasks; they throw Error(invalid_argument) for spans whose lengths do not fit and for
+/// negative `threads` (0 = all hardware threads). Nothing is found for a point that is not finite,
+/// a distance that is negative or NaN, or an empty box. Distances are inclusive, in the units of
+/// the mesh.
 class COPPICE_EXPORT MeshSearch {
 public:
     /// No limit on the distance.
     static constexpr float anywhere = std::numeric_limits<float>::infinity();
 
-    /// Keeps the tree's arrays alive. Notes which triangles are in several leaves, in O(triangles)
-    /// and a bit for each. Throws Error(invalid_argument) like choose_isa().
+    /// Prepares a tree for searching and keeps its arrays alive. Finds the triangles that are in
+    /// several leaves, in O(triangles) time and one bit for each. Throws Error(invalid_argument) if
+    /// COPPICE_ISA is invalid; see choose_isa().
     explicit MeshSearch(Bvh8 tree);
 
-    /// The same with the kernels of one of available_isas().
+    /// Uses the kernels of `isa`, which must be one of available_isas().
     MeshSearch(Bvh8 tree, Isa isa);
 
-    /// The triangle nearest to a point, if one is within `max_distance`.
+    /// The triangle nearest to a point. If none is within `max_distance`, the result's is_found()
+    /// is false.
     [[nodiscard]] SurfaceNeighbor nearest(Vec3f point,
                                           float max_distance = anywhere) const noexcept;
 
-    /// The up to found.size() nearest triangles, in order. Returns how many there are.
+    /// Writes the nearest triangles to the front of `found` in order, at most found.size() of them.
+    /// Returns their number.
     [[nodiscard]] std::size_t nearest_k(Vec3f point, std::span<SurfaceNeighbor> found,
                                         float max_distance = anywhere) const noexcept;
 
-    /// Calls `visit` with all triangles within a distance, each once, in no particular order.
+    /// Calls `visit` for every triangle within a distance, once each, in no particular order.
     void for_each_within(Vec3f center, float radius, Visitor<SurfaceNeighbor> visit) const noexcept;
 
-    /// Calls `visit` with the ids of all triangles that overlap a closed box, each once, in no
+    /// Calls `visit` with the id of every triangle that overlaps a closed box, once each, in no
     /// particular order.
     void for_each_overlapping(const Aabb& box, Visitor<std::uint32_t> visit) const noexcept;
 
-    /// nearest() of many points at once: found[i] is that of points[i].
+    /// nearest() for many points: found[i] is the result for points[i].
     void nearest(std::span<const Vec3f> points, std::span<SurfaceNeighbor> found,
                  float max_distance = anywhere, int threads = 0) const;
 
-    /// nearest_k() of many points: their rows in `found` follow one another, k = found.size() /
-    /// points.size() each; rows are filled up with what is not is_found().
+    /// nearest_k() for many points, with k = found.size() / points.size(). The results for
+    /// points[i] are found[i * k] and the following; unused entries of a row have is_found() false.
     void nearest_k(std::span<const Vec3f> points, std::span<SurfaceNeighbor> found,
                    float max_distance = anywhere, int threads = 0) const;
 
-    /// for_each_within() of many centers: counts[i] is the number of triangles there, and row i of
-    /// `found` (see nearest_k()) has the first that were found, as many as it can hold.
+    /// for_each_within() for many centers: counts[i] is the number of triangles found for
+    /// centers[i]. Row i of `found` (see nearest_k()) holds as many of them as fit, in no
+    /// particular order.
     void within(std::span<const Vec3f> centers, float radius, std::span<SurfaceNeighbor> found,
                 std::span<std::size_t> counts, int threads = 0) const;
 
-    /// for_each_overlapping() of many boxes, in the same form.
+    /// for_each_overlapping() for many boxes, with results in the form of within().
     void overlapping(std::span<const Aabb> boxes, std::span<std::uint32_t> found,
                      std::span<std::size_t> counts, int threads = 0) const;
 
@@ -78,7 +82,7 @@ public:
 
 private:
     Bvh8 tree_;
-    std::shared_ptr<const std::vector<std::uint64_t>> repeated_;  // a bit by id; empty if none is
+    std::shared_ptr<const std::vector<std::uint64_t>> repeated_;  // a bit per id; empty if all 0
     const MeshSearchKernels* kernels_;
 };
 

@@ -8,8 +8,8 @@
 
 namespace coppice::inline v0 {
 
-/// A point of a cloud near to another point; one at infinite distance, as a default one is, was not
-/// found. Results compare by distance, equally near ones by id.
+/// A point of a cloud near a query point. A default-constructed Neighbor has infinite distance and
+/// stands for no point. Results are ordered by distance, equally near ones by id.
 struct Neighbor {
     double distance_squared = std::numeric_limits<double>::infinity();  ///< infinite: none found
     std::uint32_t prim = 0;                                             ///< id of the primitive
@@ -23,14 +23,14 @@ struct Neighbor {
     }
 };
 
-/// The point of a triangle nearest to another point: what a mesh has for a Neighbor.
+/// The point of a triangle nearest to a query point: the Neighbor of a mesh.
 struct SurfaceNeighbor {
     double distance_squared = std::numeric_limits<double>::infinity();  ///< infinite: none found
     Vec3f point;             ///< the closest point of the triangle
     float u = 0.0F;          ///< barycentric coordinate of the triangle's second corner
-    float v = 0.0F;          ///< of the third
+    float v = 0.0F;          ///< barycentric coordinate of the third corner
     std::uint32_t prim = 0;  ///< id of the primitive
-    TriangleFeature feature = TriangleFeature::face;  ///< what of the triangle the point lies on
+    TriangleFeature feature = TriangleFeature::face;  ///< feature that the point lies on
 
     /// The distance; infinite if nothing was found.
     [[nodiscard]] double distance() const noexcept { return std::sqrt(distance_squared); }

@@ -13,35 +13,38 @@ namespace coppice::inline v0 {
 
 class ClosedSurface;
 
-/// The nearest triangle, and the distance to it with a sign.
+/// The nearest triangle of a point, and the signed distance to it.
 struct SignedNeighbor {
     double signed_distance = 0.0;  ///< negative inside; NaN if nothing was found
     SurfaceNeighbor nearest;       ///< the triangle that the distance is measured to
 };
 
-/// Distances to the surface of a closed mesh, negative inside.
+/// Signed distances to the surface of a closed mesh, negative inside.
 ///
-/// A mesh is closed if every edge is shared by exactly two triangles that run along it in opposite
-/// directions; corners at the same position are one, and triangles with two of their corners at the
-/// same position do not count. Parts may lie in each other, as hollows do, but must not cut each
-/// other. If the mesh encloses a negative volume, it is taken to be inside out.
+/// A mesh is closed if every edge is shared by exactly two triangles that traverse it in opposite
+/// directions. Corners at the same position count as one corner. Triangles with two corners at the
+/// same position are ignored. Parts may be nested, as cavities are, but must not intersect. If the
+/// mesh encloses a negative volume, it is taken to be inside out, and signs are flipped.
 ///
-/// Robust on edges and corners, where signs are those of angle-weighted pseudonormals. Triangles
-/// with area 0 and three different corners are allowed, but the sign at points nearest to one of
-/// them is not certain. Source: [Baerentzen2005].
+/// On edges and corners, signs follow the angle-weighted pseudonormals. Triangles of area 0 with
+/// three different corners are allowed, but the sign is unreliable at points whose nearest triangle
+/// is one of them.
+/// Source: [Baerentzen2005].
 class COPPICE_EXPORT SignedDistance {
 public:
-    /// `search` is over the triangles of `mesh`, which need not outlive the call. O(N log N), 42
-    /// bytes a triangle. Throws Error(unsupported) naming the first edge if the mesh is not closed,
-    /// and if it has no triangles; Error(invalid_argument) for an index that no vertex has.
+    /// Prepares a mesh. `search` must be over the triangles of `mesh`; the arrays behind `mesh`
+    /// need not outlive the call. O(N log N) time, 42 bytes a triangle. Throws Error(unsupported)
+    /// if the mesh is not closed, naming the first edge at fault, or has no triangles. Throws
+    /// Error(invalid_argument) for a vertex index out of range.
     SignedDistance(TriangleMeshView mesh, MeshSearch search);
 
-    /// The nearest triangle of a point with the signed distance to it. Nothing is found for a point
-    /// that is not finite. Reentrant, allocates nothing.
+    /// The nearest triangle of a point and the signed distance to it. For a point that is not
+    /// finite, the distance is NaN. Reentrant; allocates nothing.
     [[nodiscard]] SignedNeighbor nearest(Vec3f point) const noexcept;
 
-    /// The signed distances of many points, on at most `threads` threads (0 = all). Throws
-    /// Error(invalid_argument) if the spans differ in length, and for negative `threads`.
+    /// Writes the signed distance of points[i] to found[i], on at most `threads` threads (0 = all
+    /// hardware threads). Throws Error(invalid_argument) if the spans differ in length or `threads`
+    /// is negative.
     void distances(std::span<const Vec3f> points, std::span<double> found, int threads = 0) const;
 
 private:

@@ -6,16 +6,16 @@
 
 namespace coppice::inline v0 {
 
-/// Any callable, also a function, that takes a `const T&`, by reference, for the length of a call:
-/// how queries hand over what they find without allocating. A callable that returns a bool ends the
-/// query by false. It must not throw: queries are noexcept.
+/// A reference to a callable that takes a `const T&`. Queries pass it each result without
+/// allocating. A callable that returns bool ends the query by returning false. The callable must
+/// not throw, because queries are noexcept.
 template <typename T>
 class Visitor {
 public:
-    // Implicit by design: a query takes any callable. One by value would be copied, and so would
-    // what it counts.
+    // Implicit by design: a query accepts any callable. Taken by reference, so that a callable with
+    // state is not copied.
     // NOLINTBEGIN(google-explicit-constructor,bugprone-forwarding-reference-overload)
-    /// Refers to a callable, which must outlive the query.
+    /// Refers to `visit`, which must outlive the query.
     template <std::invocable<const T&> Visit>
     requires(!std::same_as<std::remove_cvref_t<Visit>, Visitor>) Visitor(Visit&& visit)
     noexcept
@@ -24,7 +24,7 @@ public:
 
     // NOLINTEND(google-explicit-constructor,bugprone-forwarding-reference-overload)
 
-    /// True if the query is to go on.
+    /// Calls the callable. Returns true if the query should continue.
     bool operator()(const T& found) const { return call_(visit_, found); }
 
 private:

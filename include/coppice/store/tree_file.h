@@ -12,10 +12,10 @@
 
 namespace coppice::inline v0 {
 
-/// How a saved tree was built, for those who read it: its loading does not depend on it.
+/// How a saved tree was built. Informative: loading does not depend on it.
 struct TreeOrigin {
-    std::string method;   ///< its name
-    std::string options;  ///< as JSON, or what you like
+    std::string method;   ///< name of the build method
+    std::string options;  ///< build options as JSON, or any text
 
     friend bool operator==(const TreeOrigin&, const TreeOrigin&) = default;
 };
@@ -23,34 +23,33 @@ struct TreeOrigin {
 /// A tree of either kind.
 using AnyTree = std::variant<KdTree, Bvh8>;
 
-/// A tree that was read from a file, with what the file says of it.
+/// A tree read from a file, and what the file says about it.
 struct SavedTree {
-    AnyTree tree;                      ///< keeps the file mapped
-    Fingerprint primitives;            ///< what the tree was built for
+    AnyTree tree;                      ///< the tree; it keeps the file mapped
+    Fingerprint primitives;            ///< fingerprint of the tree's primitives
     TreeOrigin origin;                 ///< how it was built
     std::uint64_t file_bytes = 0;      ///< size of the file
-    std::uint32_t format_version = 0;  ///< of the file, see docs/formats.md
+    std::uint32_t format_version = 0;  ///< version of the file format, see docs/formats.md
 };
 
-/// Writes a tree and the fingerprint of its primitives to a file: under a temporary name, which is
-/// synchronized with the disk and then renamed, so that `file` is the old one or the whole new one.
-/// The same tree gives the same bytes. Throws Error(io).
+/// Writes a tree and the fingerprint of its primitives to `file`. Writes to a temporary name,
+/// synchronizes it with the disk and renames it, so that `file` is the old file or the whole new
+/// one. Equal trees give equal bytes. Throws Error(io).
 COPPICE_EXPORT void save_tree(const std::filesystem::path& file, const KdTree& tree,
                               const Fingerprint& primitives, const TreeOrigin& origin = {});
-/// The same for an 8-wide tree.
+/// Writes an 8-wide tree in the same way.
 COPPICE_EXPORT void save_tree(const std::filesystem::path& file, const Bvh8& tree,
                               const Fingerprint& primitives, const TreeOrigin& origin = {});
 
-/// Maps a tree file into memory, verifies all checksums, and that no query can leave the arrays
-/// whatever they hold: indices, ranges, depth, ids. The tree keeps the mapping alive; the file may
-/// be replaced meanwhile, but not be written into or cut short. Throws Error: io if it cannot be
-/// read; parse if it is no tree file, truncated or damaged; unsupported if it is of another
-/// version, byte order or layout. What it does not do is compare the tree with its primitives:
-/// validate() does.
+/// Maps a tree file into memory. Verifies all checksums, and that no query can leave the arrays:
+/// indices, ranges, depth and ids. It does not compare the tree with its primitives; validate()
+/// does. The tree keeps the mapping alive. Meanwhile the file may be replaced, but must not be
+/// modified or truncated. Throws Error: io if the file cannot be read; parse if it is no tree file,
+/// truncated or damaged; unsupported if it has another version, byte order or layout.
 [[nodiscard]] COPPICE_EXPORT SavedTree load_tree(const std::filesystem::path& file);
 
-/// The same for given primitives. Throws Error(invalid_argument), too, if the tree was built for
-/// others.
+/// Maps a tree file that must belong to given primitives. Throws as above, and
+/// Error(invalid_argument) if the tree was built for other primitives.
 [[nodiscard]] COPPICE_EXPORT SavedTree load_tree(const std::filesystem::path& file,
                                                  const Fingerprint& primitives);
 

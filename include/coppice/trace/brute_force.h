@@ -10,23 +10,24 @@
 
 namespace coppice::inline v0 {
 
-/// The closest hit of a ray, by testing every triangle: the oracle of all traversals. Of hits at
-/// the same distance the lowest id wins. A bad ray (NaN, zero direction, t_min > t_max) hits
-/// nothing.
+/// The closest hit of a ray, or nothing. Of hits at the same distance the lowest id wins. A ray
+/// that is not traceable (is_traceable()) hits nothing. Tests every triangle: the reference for
+/// tests of all traversals.
 [[nodiscard]] COPPICE_EXPORT std::optional<Hit> brute_force_intersect(TriangleMeshView mesh,
                                                                       const Ray& ray) noexcept;
 
-/// True if any triangle is hit.
+/// True if the ray hits any triangle. Tests every triangle until one is hit.
 [[nodiscard]] COPPICE_EXPORT bool brute_force_occluded(TriangleMeshView mesh,
                                                        const Ray& ray) noexcept;
 
-/// The oracle of intersect_all(): the first hits.size() hits by distance and id that come behind
-/// `*after`, or behind nothing if it is null. Returns how many there are.
+/// Writes the first hits in order of distance, then of id, to the front of `hits`, at most
+/// hits.size() of them. Only hits after `*after` in that order count; null means all. Returns the
+/// number written. Tests every triangle: the reference for tests of intersect_all().
 [[nodiscard]] COPPICE_EXPORT std::size_t brute_force_intersect_all(
     TriangleMeshView mesh, const Ray& ray, std::span<Hit> hits,
     const Hit* after = nullptr) noexcept;
 
-/// How many triangles are hit.
+/// The number of triangles that the ray hits. Tests every triangle.
 [[nodiscard]] COPPICE_EXPORT std::size_t brute_force_count_hits(TriangleMeshView mesh,
                                                                 const Ray& ray) noexcept;
 

@@ -15,61 +15,63 @@ namespace coppice::inline v0 {
 
 struct TraceKernels;
 
-/// Traces rays against an 8-wide tree, with the kernels of one instruction set. Hits equal those of
-/// brute_force_intersect() to the bit, the lowest id of equally close ones included. Queries are
-/// reentrant and allocate nothing; those of single rays never throw. A ray that is not traceable
-/// hits nothing.
+/// Traces rays against an 8-wide tree with the kernels of one instruction set. Hits equal those of
+/// brute_force_intersect() to the bit; of equally close hits the lowest id wins. Queries are
+/// reentrant and allocate nothing. Queries of single rays never throw. A ray that is not traceable
+/// (is_traceable()) hits nothing.
 class COPPICE_EXPORT Bvh8Tracer {
 public:
-    /// Keeps the tree's arrays alive. Throws Error(invalid_argument) like choose_isa().
+    /// Prepares a tree for tracing and keeps its arrays alive. Throws Error(invalid_argument) if
+    /// COPPICE_ISA is invalid; see choose_isa().
     explicit Bvh8Tracer(Bvh8 tree);
 
-    /// The same with the kernels of one of available_isas().
+    /// Uses the kernels of `isa`, which must be one of available_isas().
     Bvh8Tracer(Bvh8 tree, Isa isa);
 
     /// The closest hit, or nothing.
     [[nodiscard]] std::optional<Hit> intersect(const Ray& ray) const noexcept;
 
-    /// True if the ray hits any triangle; stops at the first found.
+    /// True if the ray hits any triangle. Stops at the first hit found.
     [[nodiscard]] bool occluded(const Ray& ray) const noexcept;
 
-    /// The same, and adds to `counts` what it took; a primitive is a lane of a tested block.
+    /// The closest hit, or nothing. Adds the work of the traversal to `counts`; each lane of a
+    /// tested block counts as a primitive.
     [[nodiscard]] std::optional<Hit> intersect(const Ray& ray,
                                                TraversalCounts& counts) const noexcept;
-    /// True if the ray hits any triangle; adds to `counts` what it took.
+    /// True if the ray hits any triangle. Adds the work of the traversal to `counts`.
     [[nodiscard]] bool occluded(const Ray& ray, TraversalCounts& counts) const noexcept;
 
-    /// The first `hits.size()` hits in order of t, then of id, that come after `*after`, or from
-    /// the first on without it. Returns how many they are; fewer than asked for means that there
-    /// are no more.
+    /// Writes the first hits in order of t, then of id, to the front of `hits`, at most hits.size()
+    /// of them. Only hits after `*after` in that order count; null means all. Returns the number
+    /// written; fewer than hits.size() means that no more follow.
     std::size_t intersect_all(const Ray& ray, std::span<Hit> hits,
                               const Hit* after = nullptr) const noexcept;
 
     /// The number of triangles that the ray hits.
     [[nodiscard]] std::size_t count_hits(const Ray& ray) const noexcept;
 
-    // The same for many rays, on at most `threads` threads (0 = all). They throw
-    // Error(invalid_argument) for spans that do not fit together and for negative `threads`.
+    // Batched queries, on at most `threads` threads (0 = all hardware threads). They throw
+    // Error(invalid_argument) if the lengths of the spans do not fit or `threads` is negative.
 
-    /// The closest hit of each ray; one that is not is_hit() where there is none. Of each eight
-    /// that follow one another, rays that go much the same way are traced 1.2 to 1.7 times as fast
-    /// as alone: hand over rays of an image by rows or tiles.
+    /// Writes the closest hit of rays[i] to hits[i]; without a hit, hits[i].is_hit() is false.
+    /// Every eight consecutive rays that are nearly parallel are traced as a packet, 1.2 to 1.7
+    /// times as fast as single rays: pass the rays of an image in rows or tiles.
     void intersect(std::span<const Ray> rays, std::span<Hit> hits, int threads = 0) const;
 
-    /// 1 for each ray that hits anything, else 0.
+    /// Sets is_occluded[i] to 1 if rays[i] hits any triangle, otherwise to 0.
     void occluded(std::span<const Ray> rays, std::span<std::uint8_t> is_occluded,
                   int threads = 0) const;
 
-    /// The first k hits of each ray in order, k = hits.size() / rays.size(): those of ray i are
-    /// hits[i * k] and the following, counts[i] of them.
+    /// The first k hits of each ray in order, k = hits.size() / rays.size(). Writes the hits of
+    /// rays[i] to hits[i * k] and the following, and their number to counts[i].
     void intersect_all(std::span<const Ray> rays, std::span<Hit> hits,
                        std::span<std::size_t> counts, int threads = 0) const;
 
-    /// The number of triangles that each ray hits.
+    /// Writes the number of triangles that rays[i] hits to counts[i].
     void count_hits(std::span<const Ray> rays, std::span<std::size_t> counts,
                     int threads = 0) const;
 
-    /// The tree that is traced.
+    /// The tree that rays are traced against.
     [[nodiscard]] const Bvh8& tree() const noexcept { return tree_; }
 
 private:

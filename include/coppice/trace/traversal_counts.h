@@ -4,13 +4,13 @@
 
 namespace coppice::inline v0 {
 
-/// What traversals did, summed over the rays they are given for.
+/// The work of traversals, summed over the rays that they were called for.
 struct TraversalCounts {
     std::uint64_t nodes = 0;       ///< Inner nodes visited.
     std::uint64_t leaves = 0;      ///< Leaves visited, empty ones included.
-    std::uint64_t primitives = 0;  ///< Primitives tested, each time they are.
+    std::uint64_t primitives = 0;  ///< Primitives tested, repetitions included.
 
-    /// Adds those of other rays.
+    /// Adds the counts of other rays.
     TraversalCounts& operator+=(const TraversalCounts& other) noexcept {
         nodes += other.nodes;
         leaves += other.leaves;

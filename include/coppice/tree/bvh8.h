@@ -11,38 +11,39 @@
 
 namespace coppice::inline v0 {
 
-/// Children of an 8-wide node, and triangles of a leaf block.
+/// The number of children of an 8-wide node, and of triangles in a leaf block.
 inline constexpr std::size_t bvh8_width = 8;
 
-/// What a slot of an 8-wide node holds: nothing, an inner node, or a leaf of one or more blocks.
-/// Uninitialized unless made by a factory: traversals have stacks of them.
+/// The content of one slot of an 8-wide node: nothing, an inner node, or a leaf of one or more
+/// blocks. A default-constructed object is uninitialized, because traversals have stacks of them;
+/// use the factories.
 class Bvh8Child {
 public:
-    /// The greatest index of a node.
+    /// The greatest index of an inner node.
     static constexpr std::uint32_t max_node_index = (1U << 31) - 2;
-    /// The greatest index of a block.
+    /// The greatest index of a leaf's first block.
     static constexpr std::uint32_t max_block_index = (1U << 27) - 1;
-    /// The most blocks that a leaf may have.
+    /// The greatest number of blocks of a leaf.
     static constexpr std::uint32_t max_block_count = 16;
 
     Bvh8Child() = default;
 
-    /// Nothing.
+    /// An empty slot.
     [[nodiscard]] static constexpr Bvh8Child make_empty() noexcept { return Bvh8Child(empty_bits); }
 
-    /// An inner node; index <= max_node_index.
+    /// A reference to inner node `index`; index <= max_node_index.
     [[nodiscard]] static constexpr Bvh8Child make_inner(std::uint32_t index) noexcept {
         return Bvh8Child(index);
     }
 
-    /// A leaf of `count` blocks from `first` on; first <= max_block_index, 1 <= count <=
-    /// max_block_count.
+    /// A leaf of `count` blocks that starts at block `first`; first <= max_block_index and 1 <=
+    /// count <= max_block_count.
     [[nodiscard]] static constexpr Bvh8Child make_leaf(std::uint32_t first,
                                                        std::uint32_t count) noexcept {
         return Bvh8Child(leaf_bit | (count - 1) << count_shift | first);
     }
 
-    /// True if there is nothing in the slot.
+    /// True if the slot is empty.
     [[nodiscard]] constexpr bool is_empty() const noexcept { return bits_ == empty_bits; }
 
     /// True if the slot holds a leaf.

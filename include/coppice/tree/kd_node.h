@@ -7,24 +7,24 @@
 
 namespace coppice::inline v0 {
 
-/// On which side of its plane a node keeps primitives that lie wholly in the plane. Recorded per
-/// node, because build and refill must decide alike.
+/// The side of its plane on which a node keeps primitives that lie wholly in the plane. Recorded in
+/// each node, because building and refilling must decide alike.
 enum class PlanarSide : std::uint8_t { below = 0, above = 1 };
 
-/// What a leaf held in the sample that its planes were chosen for.
+/// Whether a leaf held any primitive of the sample that its planes were chosen for.
 enum class SampleContent : std::uint8_t { some = 0, none = 1 };
 
-/// One node of a k-d tree in 8 bytes: an inner node with its plane and the index of its lower
-/// child (the upper child follows it), or a leaf with a range of references.
+/// One node of a k-d tree, in 8 bytes. An inner node has a plane and the index of its lower child;
+/// the upper child follows the lower one. A leaf has a range of references.
 class KdNode {
 public:
-    /// The greatest count of references and index of a child.
+    /// The greatest number of references of a leaf, and the greatest index of a child.
     static constexpr std::uint32_t max_payload = (1U << 29) - 1;
 
     /// An empty leaf.
     constexpr KdNode() noexcept = default;
 
-    /// A leaf of `count` references from `first` on; count <= max_payload.
+    /// A leaf of `count` references that starts at reference `first`; count <= max_payload.
     [[nodiscard]] static KdNode make_leaf(std::uint32_t first, std::uint32_t count,
                                           SampleContent in_sample = SampleContent::some) noexcept {
         return {first,
@@ -75,8 +75,8 @@ public:
     /// Leaves only.
     [[nodiscard]] std::uint32_t reference_count() const noexcept { return tagged_ >> tag_bits; }
 
-    /// Leaves only: `none` if the sample had nothing here. A leaf that has references all the same
-    /// was cut off for an emptiness that is not there.
+    /// Leaves only: `none` if no primitive of the sample was in this leaf. If it has references all
+    /// the same, it is a cell that is empty in the sample but holds primitives.
     [[nodiscard]] SampleContent in_sample() const noexcept {
         return static_cast<SampleContent>(tagged_ >> flag_shift & 1U);
     }

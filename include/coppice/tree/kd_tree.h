@@ -11,38 +11,41 @@
 
 namespace coppice::inline v0 {
 
-/// An immutable k-d tree: nodes, the references of its leaves, and its box. It knows no
-/// primitives; references are ids into the set it was built for.
+/// An immutable k-d tree: nodes, the references of its leaves, and a bounding box. It does not know
+/// the primitives; references are ids into the set that the tree was built for.
 ///
-/// Order: node 0 is the root; siblings are adjacent; after a pair of siblings come all nodes below
-/// the lower one, then all below the upper one, so that children follow their parents. References
-/// stand leaf by leaf in depth-first order, ascending within a leaf. Copies share their arrays.
+/// Order: node 0 is the root, and siblings are adjacent. A pair of siblings is followed by all
+/// nodes below the lower sibling, then by all nodes below the upper one, so that children follow
+/// their parents. References are stored leaf by leaf in depth-first order, ascending within a leaf.
+/// Copies share their arrays.
 class COPPICE_EXPORT KdTree {
 public:
-    /// No leaf may be deeper, so that traversals do with a stack of fixed size.
+    /// The greatest depth of a leaf; the root has depth 0. The limit lets traversals use a stack of
+    /// fixed size.
     static constexpr int max_depth = 60;
 
-    /// The tree of nothing: one empty leaf in an empty box.
+    /// A tree over no primitives: one empty leaf with an empty bounding box.
     KdTree() noexcept;
 
-    /// Takes over arrays in the order described above. Throws Error(invalid_argument) if `nodes`
-    /// is empty; validate() checks the rest.
+    /// Takes ownership of arrays in the order described above. Throws Error(invalid_argument) if
+    /// `nodes` is empty; validate() checks everything else.
     KdTree(std::vector<KdNode> nodes, std::vector<std::uint32_t> references, const Aabb& bounds);
 
-    /// The same in arrays that `storage` keeps alive, such as a mapped file.
+    /// A tree that refers to arrays which `storage` keeps alive, such as those of a mapped file.
+    /// Same order, same errors.
     KdTree(std::shared_ptr<const void> storage, std::span<const KdNode> nodes,
            std::span<const std::uint32_t> references, const Aabb& bounds);
 
     /// All nodes in the order described above.
     [[nodiscard]] std::span<const KdNode> nodes() const noexcept { return nodes_; }
 
-    /// The first of nodes().
+    /// The root node, the first of nodes().
     [[nodiscard]] const KdNode& root() const noexcept { return nodes_.front(); }
 
     /// The references of all leaves.
     [[nodiscard]] std::span<const std::uint32_t> references() const noexcept { return references_; }
 
-    /// The ids in one leaf of this tree.
+    /// The primitive ids in one leaf of this tree.
     [[nodiscard]] std::span<const std::uint32_t> references(const KdNode& leaf) const noexcept {
         return references().subspan(leaf.first_reference(), leaf.reference_count());
     }

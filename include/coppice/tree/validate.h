@@ -12,7 +12,7 @@
 
 namespace coppice::inline v0 {
 
-/// What validate() can find wrong with a tree.
+/// The kinds of faults that validate() finds.
 enum class ValidationIssueKind {
     bad_child,              ///< a child index out of range, shared, or not after its parent
     unreachable_node,       ///< a node that no walk from the root meets
@@ -22,37 +22,38 @@ enum class ValidationIssueKind {
     unreachable_reference,  ///< references that belong to no leaf
     bad_reference,          ///< a reference to a primitive that does not exist
     unsorted_references,    ///< a leaf's references are not strictly ascending (or repeat)
-    missing_reference,      ///< a primitive reaches into a leaf's inside that does not refer to it
+    missing_reference,      ///< a leaf lacks a primitive that reaches into its interior
     stray_reference,        ///< a leaf refers to a primitive that does not touch its box
     lost_primitive,         ///< a primitive in no leaf
-    bounds_too_small,       ///< a primitive that leaves the tree's box
-    box_outside,            ///< an 8-wide node's child box that leaves its parent's
-    wrong_corners,          ///< a block whose corners are not those of its triangles
+    bounds_too_small,       ///< a primitive that extends beyond the tree's box
+    box_outside,            ///< an 8-wide node's child box that extends beyond its parent's
+    wrong_corners,          ///< a block whose corners differ from those of its triangles
     bad_gap,                ///< an 8-wide node's empty slot before a used one, or with a box
 };
 
-/// The stable lower-case name of a kind of finding, e.g. "lost_primitive".
+/// The stable lower-case name of a kind of issue, e.g. "lost_primitive".
 [[nodiscard]] COPPICE_EXPORT const char* finding_name(ValidationIssueKind kind) noexcept;
 
-/// One thing wrong with a tree, in words, with what it is about: the id of a primitive for
-/// lost_primitive and bounds_too_small; the index of a reference of a k-d tree for
-/// unreachable_reference; the index of a block of an 8-wide tree for unreachable_reference,
-/// bad_reference and wrong_corners; else that of a node.
+/// One fault of a tree. `subject` is the index of a node, with these exceptions: the id of a
+/// primitive for lost_primitive and bounds_too_small; the index of a reference for
+/// unreachable_reference in a k-d tree; the index of a block for unreachable_reference,
+/// bad_reference and wrong_corners in an 8-wide tree.
 struct ValidationIssue {
-    ValidationIssueKind kind;   ///< what is wrong
-    std::uint64_t subject = 0;  ///< what it is about, see above
-    std::string message;        ///< one line with the numbers in it
+    ValidationIssueKind kind;   ///< the kind of fault
+    std::uint64_t subject = 0;  ///< what is at fault, see above
+    std::string message;        ///< one line that states the fault with its numbers
 };
 
-/// All that is wrong with a tree over `primitives`, at most `limit` findings; none for a sound
-/// tree. Cost: one descent of all primitives, O(N log N). Never throws on a malformed tree;
-/// throws Error(invalid_argument) for primitives that are not valid (PrimitiveSet).
+/// Returns the faults of a tree over `primitives`, at most `limit` of them; empty for a sound tree.
+/// Never throws on a malformed tree. Throws Error(invalid_argument) for invalid primitives
+/// (PrimitiveSet). Cost: one descent of all primitives, O(N log N).
 [[nodiscard]] COPPICE_EXPORT std::vector<ValidationIssue> validate(const KdTree& tree,
                                                                    PrimitiveSetView primitives,
                                                                    std::size_t limit = 100);
 
-/// The same for an 8-wide tree over the triangles of `mesh`. A triangle counts as lost unless its
-/// corners and the middle of its edges each lie in the box of a leaf that refers to it.
+/// Returns the faults of an 8-wide tree over the triangles of `mesh`. A triangle counts as lost
+/// unless each of its corners and edge midpoints lies in the box of a leaf that refers to the
+/// triangle.
 [[nodiscard]] COPPICE_EXPORT std::vector<ValidationIssue> validate(const Bvh8& tree,
                                                                    TriangleMeshView mesh,
                                                                    std::size_t limit = 100);

@@ -8,15 +8,15 @@
 
 namespace coppice::inline v0 {
 
-/// A node met on a walk: its index, its box and its depth (the root's is 0).
+/// A node visited by walk(): its index, its box and its depth.
 struct VisitedNode {
-    std::uint32_t index = 0;  ///< into the nodes of the tree
-    Aabb box;                 ///< that the planes above leave to it
+    std::uint32_t index = 0;  ///< index into the nodes of the tree
+    Aabb box;                 ///< the node's cell
     int depth = 0;            ///< 0 for the root
 };
 
-/// Calls `visit(const VisitedNode&)` for a node and all below it, depth first, parents before
-/// children, lower children before upper ones. Recursion depth is the tree's depth.
+/// Calls `visit(const VisitedNode&)` for node `at` and all nodes below it, depth first: parents
+/// before children, lower children before upper ones. The recursion is as deep as the tree.
 template <typename Visit>
 void walk_below(std::span<const KdNode> nodes, const VisitedNode& at, Visit&& visit) {
     visit(at);
@@ -27,7 +27,7 @@ void walk_below(std::span<const KdNode> nodes, const VisitedNode& at, Visit&& vi
     walk_below(nodes, {node.upper_child(), above(at.box, plane), at.depth + 1}, visit);
 }
 
-/// walk_below() from the root of a tree.
+/// Calls `visit(const VisitedNode&)` for all nodes of a tree, in the order of walk_below().
 template <typename Visit>
 void walk(const KdTree& tree, Visit&& visit) {
     walk_below(tree.nodes(), {0, tree.bounds(), 0}, visit);

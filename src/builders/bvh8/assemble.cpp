@@ -1,5 +1,5 @@
-// The parts of an 8-wide tree become its two arrays (stitch.h), and the triangles' corners are
-// fetched from the mesh.
+// Puts the parts of an 8-wide tree into its two arrays (stitch.h) and fetches the corners of
+// triangles from the mesh.
 
 #include "coppice/base/error.h"
 

@@ -23,7 +23,7 @@ namespace {
 
 using bvh8::PrimRef;
 
-// The stages' shares of the time, for the progress: of a scanned mesh.
+// The stages' shares of the build time, measured on a scanned mesh; for progress reports.
 struct Shares {
     double sample;
     double build;
@@ -55,7 +55,7 @@ bvh8::ObjectTop build_top(std::span<const PrimRef> prim_refs, const Sample& samp
     return bvh8::build_object_top(sampled, static_cast<float>(cell_size), kernels);
 }
 
-// The pipeline's stages, one after another.
+// The stages of the pipeline, in order.
 class Bvh8Pipeline {
 public:
     Bvh8Pipeline(TriangleMeshView mesh, const bvh8::Plan& plan, BuildRun& run)
@@ -74,7 +74,7 @@ public:
     }
 
 private:
-    // Cells by centroids; without a sample one cell of everything.
+    // Makes cells by centroids; without a sample, a single cell of all triangles.
     bvh8::Cells make_object_cells() {
         const std::uint32_t count = mesh_.size();
         const auto room = static_cast<std::uint32_t>(plan_.room * count);
@@ -107,7 +107,7 @@ private:
         return cells;
     }
 
-    // Cells by planes: the first stages of a k-d tree.
+    // Makes cells by planes, with the first stages of a k-d tree.
     bvh8::Cells make_kd_cells() {
         const KdOptions options{.sample = plan_.sampling,
                                 .split = {.rule = "binned",
@@ -135,7 +135,7 @@ private:
         });
     }
 
-    // The tree below the cells and above them.
+    // Builds the tree below and above the cells.
     Bvh8 grow(bvh8::Cells&& cells) {
         const auto work = [&] {
             bvh8::measure_cells(cells, kernels_);
@@ -159,8 +159,9 @@ private:
     Shares shares_;
 };
 
-// The options to build by under a memory limit: those given, or, where the preset is left to us,
-// the smallest preset. Tells the report what it estimated and why it chose so.
+// The options for a build under a memory limit: the given ones, or, with the preset `automatic`,
+// the smallest preset if the chosen one exceeds the limit. Stores the estimate and the reason in
+// the report. Throws Error(limit) if no preset fits.
 Bvh8Options keep_within_limit(TriangleMeshView mesh, const Bvh8Options& options,
                               const BuildControl& control, BuildReport& report) {
     if (control.memory_limit_bytes == 0) return options;
@@ -172,7 +173,7 @@ Bvh8Options keep_within_limit(TriangleMeshView mesh, const Bvh8Options& options,
         throw Error(ErrorCode::limit, excess);
     }
     Bvh8Options smaller = options;
-    smaller.expected_rays = 0.0;  // chooses fast
+    smaller.expected_rays = 0.0;  // makes `automatic` choose fast
     report.estimate = estimate_bvh8(mesh, smaller, control.stop);
     if (!is_within_limit(*report.estimate, control)) {
         throw Error(ErrorCode::limit, excess_text("even fast", *report.estimate, control));
@@ -181,7 +182,7 @@ Bvh8Options keep_within_limit(TriangleMeshView mesh, const Bvh8Options& options,
     return smaller;
 }
 
-// All full blocks that a tree can have would not hold more.
+// Throws Error(limit) for more triangles than the greatest number of full blocks can hold.
 void require_few_enough(TriangleMeshView mesh) {
     constexpr std::uint32_t most = bvh8_width * (Bvh8Child::max_block_index + 1);
     if (mesh.size() <= most) return;

@@ -1,5 +1,5 @@
-// The parts of a range of PrimRefs that are worked on at the same time: one, unless the range is
-// large. They depend on its size alone, so the same tree results for any number of threads.
+// The chunks of a range of PrimRefs that are processed in parallel; one chunk unless the range is
+// large. They depend on its size alone, so that the tree does not depend on the number of threads.
 
 #pragma once
 
@@ -15,7 +15,7 @@ public:
     explicit Chunks(std::size_t size) noexcept
         : size_(size), chunk_size_(are_worth_it(size) ? large : std::max<std::size_t>(size, 1)) {}
 
-    /// Whether a range of `size` PrimRefs has more than one chunk.
+    /// True if a range of `size` PrimRefs has more than one chunk.
     [[nodiscard]] static bool are_worth_it(std::size_t size) noexcept { return size >= 4 * large; }
 
     [[nodiscard]] std::size_t count() const noexcept {

@@ -12,9 +12,9 @@
 
 namespace coppice::inline v0::bvh8 {
 
-/// The memory of a build: two buffers that PrimRefs move between, and the ids they end up as.
-/// The finished tree is written where the PrimRefs were: clearing pages anew took 7 % of the
-/// time.
+/// The memory of a build: two buffers that PrimRefs are copied between in turns, and the ids of the
+/// finished leaves. The finished tree is written into the same memory, because clearing new pages
+/// took 7 % of the build time.
 class DoubleBuffer {
 public:
     DoubleBuffer(std::size_t reference_count, MemoryMeter& meter)
@@ -34,13 +34,13 @@ public:
         return memory_.view<std::uint32_t>(bytes_before_ids(), count_);
     }
 
-    /// Bytes of both buffers.
+    /// The size of both buffers in bytes, which is the offset of the ids.
     [[nodiscard]] std::size_t bytes_before_ids() const noexcept {
         return 2 * count_ * sizeof(PrimRef);
     }
 
-    /// Gives up the memory, counted as long as this lives. The views stay valid as long as it lives
-    /// and is not shrunk.
+    /// Moves the memory out. It stays counted as long as this object lives. The views stay valid as
+    /// long as the returned buffer lives and is not shrunk.
     [[nodiscard]] BigBuffer release() noexcept { return std::move(memory_); }
 
 private:

@@ -1,10 +1,10 @@
-// The 8-wide tree below and above the cells, in one recursion: a node starts with one child and
-// opens the child of largest area (a top node into its two, a range of PrimRefs by a binned split)
-// until it has eight; no binary tree is made. Ranges of at most two blocks become leaves; while a
-// node has slots left, those of more than one block are opened too, and the roomy ones always.
-// Large children are tasks with a part of their own; where parts meet depends on the sizes alone,
-// so the tree does not depend on threads. Source: [Wald2007] sec. 3, [Wald2008] sec. 3 (opening by
-// area).
+// Builds the 8-wide tree below and above the cells in one recursion. A node starts with one child
+// and opens the child of largest area until it has eight: a top node into its two children, a range
+// of PrimRefs by a binned split. No binary tree is made. Ranges of at most two blocks become
+// leaves. While a node has free slots, leaves of more than one block are opened, too, and roomy
+// ones always. Large children are tasks with a part of their own. The boundaries of parts depend on
+// sizes alone, so that the tree does not depend on threads.
+// Source: [Wald2007] sec. 3, [Wald2008] sec. 3 (opening by area).
 
 #include "builders/bvh8/grow_bvh8.h"
 
@@ -23,18 +23,20 @@ namespace {
 constexpr std::uint32_t block_size = bvh8_width;
 constexpr std::uint32_t max_leaf_size = 2 * block_size;
 
-// Smaller ranges are not worth a task and a part of their own.
+// Smaller ranges do not justify a task and a part of their own.
 constexpr std::uint32_t min_task_size = 2048;
 
-// From this depth on ranges are halved by number: 2^32 PrimRefs are then leaves 11 levels below.
+// From this depth on, ranges are halved by count, so that 2^32 PrimRefs reach leaves within 11 more
+// levels.
 constexpr int max_sah_depth = Bvh8::max_depth - 12;
 
 constexpr std::uint32_t not_top = 0xffffffff;
 
-// Every ray that starts in a leaf's box tests its triangles, whatever is nearer. So leaves that
-// fill more than this share of the scene, as the walls of a room do, are split on, unless halves
-// fill more than `most_filled` of what the whole did: rays in a bathroom take a third less. Source:
-// see [Fabianowski2009]; the measurements are in docs/decisions/0005.
+// A ray that starts in a leaf's box tests its triangles, even if nearer ones are elsewhere. So a
+// leaf that fills more than this share of the scene, such as a wall of a room, is split further,
+// unless the halves fill more than `most_filled` of its volume. Rays in a bathroom then take a
+// third less time.
+// Source: see [Fabianowski2009]; the measurements are in docs/decisions/0005.
 constexpr double roomy_share = 0.01;
 constexpr double most_filled = 1.5;
 
@@ -50,9 +52,9 @@ double volume_of(const Box8& box) {
     return volume;
 }
 
-// A child to be: a node of the top, or a range of PrimRefs.
+// A future child: a node of the top tree, or a range of PrimRefs.
 struct Item {
-    Range range;  // of a top node: its box and how many PrimRefs are below
+    Range range;  // for a top node: its box and the number of PrimRefs below
     std::uint32_t top = not_top;
     double area = 0.0;
     bool is_roomy = false;
@@ -98,8 +100,8 @@ private:
             if (added.range.size() > 0) item[count++] = added;
         }
 
-        // Those with the most area for their size last, where any-hit queries begin: the likeliest
-        // to be hit, with the least work.
+        // Sorts children by area per PrimRef, the greatest last. Any-hit queries begin there: such
+        // a child is the most likely to be hit for the least work.
         void sort_for_any_hit() {
             const auto comes_before = [](const Item& a, const Item& b) {
                 return a.area * b.range.size() < b.area * a.range.size();
@@ -112,7 +114,7 @@ private:
         }
     };
 
-    // A cell's range; of an inner node the box of both children and the sum of their sizes.
+    // The range of a cell. For an inner node, the box of both children and the sum of their sizes.
     [[nodiscard]] Range range_of(const TopTree::Node& node, std::span<const Range> cells) const {
         if (node.is_cell) return cells[node.index];
         Range range = ranges_[node.index];
@@ -145,7 +147,7 @@ private:
         const double filled = volume_of(halves.lower.box) + volume_of(halves.upper.box);
         if (opened.range.size() <= block_size &&
             filled > most_filled * volume_of(opened.range.box)) {
-            opened.is_roomy = false;  // its PrimRefs are still where they were
+            opened.is_roomy = false;  // its PrimRefs have not been moved
             children.add(opened);
             return;
         }
@@ -153,7 +155,7 @@ private:
         children.add(make_item(halves.upper));
     }
 
-    // By the centroids of PrimRefs, or by a plane that cuts them if that is cheaper.
+    // Splits by the centroids of PrimRefs, or at a plane that cuts them if that is cheaper.
     [[nodiscard]] Halves split(const Range& range) const {
         BinMapping mapping{};
         const ObjectSplit split = splitter_.find(range, mapping);
@@ -181,7 +183,7 @@ private:
         return children;
     }
 
-    // Writes a leaf's ids where its PrimRefs stand; one task has this range.
+    // Writes a leaf's ids at the indices of its PrimRefs. Only one task owns this range.
     Bvh8Child grow_leaf(Part& part, const Range& range) {
         const auto prim_refs = splitter_.prim_refs(range);
         std::transform(prim_refs.begin(), prim_refs.end(), ids_.begin() + range.begin,
@@ -221,12 +223,13 @@ private:
         return index;
     }
 
-    // Passes over PrimRefs, of which there is one for each binary split above the leaves.
+    // The work below a range, in PrimRefs visited: one pass for each level of binary splits above
+    // the leaves.
     static double work_of(std::uint32_t size) {
         return size * std::log2(std::max(size, block_size) / (0.5 * block_size));
     }
 
-    // Large children at the same time, the largest first.
+    // Grows large children in parallel, the largest first.
     void grow_parts(Part& part, std::uint32_t node,
                     std::vector<std::pair<std::size_t, const Item*>>& tasks, int depth,
                     WorkShare work) {
@@ -252,7 +255,7 @@ private:
     const Splitter& splitter_;
     const SpatialSplitter& spatial_;
     std::span<std::uint32_t> ids_;
-    std::vector<Range> ranges_;  // of the top's nodes
+    std::vector<Range> ranges_;  // ranges of the top tree's nodes
 };
 
 }  // namespace

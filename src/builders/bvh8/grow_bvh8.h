@@ -15,24 +15,24 @@
 
 namespace coppice::inline v0::bvh8 {
 
-/// A piece of an 8-wide tree, built by one task: nodes and leaves with their own numbering, and the
-/// pieces that hang below it.
+/// A part of an 8-wide tree, built by one task: its nodes and leaves with indices of their own, and
+/// the parts below it.
 struct Part {
-    /// A leaf's triangles: a range of the grown tree's ids. Its blocks follow those of the leaf
-    /// before.
+    /// The triangles of a leaf: a range of the grown tree's ids. Its blocks follow those of the
+    /// preceding leaf.
     struct Leaf {
         std::uint32_t begin;
         std::uint32_t count;
     };
 
-    /// The root of another part as a child.
+    /// A child that is the root of another part.
     struct Link {
         std::uint32_t node;
         std::uint32_t slot;
         std::unique_ptr<Part> part;
     };
 
-    /// See Placement.
+    /// Size and links of the part, for Placement (stitch.h).
     [[nodiscard]] std::size_t own_node_count() const noexcept { return nodes.size(); }
 
     [[nodiscard]] std::size_t own_item_count() const noexcept { return block_count; }
@@ -47,26 +47,26 @@ struct Part {
     std::uint32_t block_count = 0;
 };
 
-/// An 8-wide tree whose leaves name their triangles: what grow_bvh8() finds out and assemble()
-/// writes down.
+/// An 8-wide tree whose leaves refer to triangle ids: the result of grow_bvh8() and the input of
+/// assemble().
 struct GrownTree {
     Part root;
     Aabb bounds;
 };
 
-/// Bytes of a part and all below it.
+/// The size of a part and all parts below it, in bytes.
 [[nodiscard]] std::uint64_t byte_count(const Part& part) noexcept;
 
-/// Builds the 8-wide tree over cells that hang in a top: the top is collapsed into nodes of eight,
-/// and every cell is built on by binned object splits, and by spatial splits while it has room to
-/// spare. The buffers receives the leaves' ids.
+/// Builds the 8-wide tree over the cells of a top tree. The top tree is collapsed into nodes of
+/// eight children. Every cell is refined by binned object splits, and by spatial splits as long as
+/// it has spare room. The buffers receive the leaves' ids.
 /// Source: [Wald2007], [Stich2009], [Tessari2023].
 [[nodiscard]] GrownTree grow_bvh8(const Cells& cells, TriangleMeshView mesh, const Kernels& kernels,
                                   Progress* progress = nullptr);
 
-/// Puts the parts together in depth-first order and copies the triangles' corners into blocks. The
-/// tree takes the place of the PrimRefs in the buffers. Throws Error(limit) if there are more nodes
-/// or blocks than a child can name.
+/// Assembles the parts in depth-first order and copies the triangles' corners into blocks. The tree
+/// overwrites the PrimRefs in the buffers. Throws Error(limit) if there are more nodes or blocks
+/// than a child can refer to.
 [[nodiscard]] Bvh8 assemble(GrownTree&& grown, DoubleBuffer&& buffers, TriangleMeshView mesh,
                             const Kernels& kernels, MemoryMeter& meter);
 

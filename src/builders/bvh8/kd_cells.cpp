@@ -1,8 +1,8 @@
-// Cells by planes: a k-d tree over the sample is the top, and its leaves are the cells. All
-// triangles go down it at once. One that a plane cuts is in both cells with the part of its box
-// that it has there, so that cells do not overlap: nearly what spatial splits give, for a pass over
-// the triangles. Cost: that of KdTopTree::distribute(). Source: [Stich2009] (PrimRefs cut by
-// planes above an object hierarchy).
+// Cells by planes. A k-d tree over the sample is the top tree, and its leaves are the cells. All
+// triangles are distributed to them. A triangle that a plane cuts is in both cells, each with the
+// part of its box in that cell, so that cells do not overlap. This is nearly what spatial splits
+// give, for one pass over the triangles. Cost: that of KdTopTree::distribute().
+// Source: [Stich2009] (PrimRefs cut by planes above an object hierarchy).
 
 #include "coppice/base/parallel.h"
 

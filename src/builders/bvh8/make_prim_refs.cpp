@@ -12,7 +12,7 @@
 namespace coppice::inline v0::bvh8 {
 namespace {
 
-// triangle_bounds(), inline.
+// An inlined triangle_bounds().
 Aabb bounds_of_corners(const Triangle& triangle) {
     const auto& [a, b, c] = triangle;
     const auto lowest = [](float p, float q, float r) { return std::min(std::min(p, q), r); };
@@ -21,7 +21,7 @@ Aabb bounds_of_corners(const Triangle& triangle) {
             {highest(a.x, b.x, c.x), highest(a.y, b.y, c.y), highest(a.z, b.z, c.z)}};
 }
 
-// 0 if all nine coordinates are finite, else NaN.
+// Returns 0 if all nine coordinates are finite, else NaN.
 float finite_or_nan(const Triangle& triangle) {
     const auto sum = [](const Vec3f& v) { return v.x * 0.0F + v.y * 0.0F + v.z * 0.0F; };
     return sum(triangle[0]) + sum(triangle[1]) + sum(triangle[2]);
@@ -47,7 +47,7 @@ void make_prim_refs(TriangleMeshView mesh, std::span<PrimRef> prim_refs) {
             }
             if (std::isnan(test)) are_usable = false;
         });
-    if (!are_usable) require_usable(mesh);  // names the first
+    if (!are_usable) require_usable(mesh);  // throws for the first one
 }
 
 }  // namespace coppice::inline v0::bvh8

@@ -10,12 +10,12 @@
 
 namespace coppice::inline v0::bvh8 {
 
-/// Fills in a PrimRef to every triangle, of weight 1, in the order of their ids. Throws
-/// Error(invalid_argument) naming the first triangle with an index that no vertex has, or else the
+/// Makes a PrimRef of weight 1 for every triangle, in the order of their ids. Throws
+/// Error(invalid_argument) naming the first triangle with a vertex index out of range, or else the
 /// first whose box is not finite.
 void make_prim_refs(TriangleMeshView mesh, std::span<PrimRef> prim_refs);
 
-/// A PrimRef of weight 1 with a box.
+/// A PrimRef of weight 1 for primitive `id` with box `box`.
 [[nodiscard]] inline PrimRef make_prim_ref(const Aabb& box, std::uint32_t id) noexcept {
     return {{-box.lower.x, -box.lower.y, -box.lower.z},
             id,
@@ -23,7 +23,7 @@ void make_prim_refs(TriangleMeshView mesh, std::span<PrimRef> prim_refs);
             1.0F};
 }
 
-/// References as the primitives they are, for samplers. Must not outlive them.
+/// A primitive set of PrimRefs, for samplers. Does not own the PrimRefs, which must outlive it.
 class PrimRefSet {
 public:
     explicit PrimRefSet(std::span<const PrimRef> prim_refs) noexcept : references_(prim_refs) {}

@@ -1,9 +1,10 @@
-// The top of an 8-wide tree from a sample: a binary tree of object splits over the sampled
-// PrimRefs, each counting 1/p primitives in the costs, and the pass that sends all PrimRefs down
-// it. A cell takes what has its centroid there, so nothing is cut and boxes grow to fit. The
-// descent branches: meshes are coherent, and branches that repeat cost less than the arithmetic
-// that avoids them. Cost: sample size times its depth, then N times the depth of the top. Source:
-// [Tessari2023] sec. 3, [Wald2007] sec. 3.
+// Builds the top tree of an 8-wide tree from a sample, and distributes all PrimRefs to its cells.
+// The top tree is a binary tree of object splits over the sampled PrimRefs, each weighted by 1/p in
+// the costs. A cell receives the PrimRefs with their centroid in it, so that nothing is cut and
+// boxes grow to fit. The descent uses branches: meshes are coherent, and predictable branches cost
+// less than the arithmetic that avoids them. Cost: sample size times its depth, then N times the
+// depth of the top tree.
+// Source: [Tessari2023] sec. 3, [Wald2007] sec. 3.
 
 #include "coppice/base/parallel.h"
 
@@ -20,10 +21,10 @@
 namespace coppice::inline v0::bvh8 {
 namespace {
 
-// Fewer sampled PrimRefs do not tell where to split.
+// Nodes of fewer sampled PrimRefs are not split: the sample is too small to choose a plane.
 constexpr std::uint32_t min_sampled = 8;
 
-// Half of what an 8-wide tree may have; only hostile scenes come near.
+// Half of the greatest depth of an 8-wide tree. Only adversarial scenes come near it.
 constexpr int max_top_depth = 32;
 
 float weight_of(std::span<const PrimRef> prim_refs) {
@@ -64,12 +65,12 @@ private:
     TopTree top_;
 };
 
-// Ways to a cell without the descent from the root. A PrimRef is mostly in the cell of the one
-// before, for meshes are coherent. If not, a grid over the sampled centroids gives for each voxel
-// the deepest node that all of its centroids pass.
+// Finds cells without descending from the root. Meshes are coherent, so a PrimRef is usually in the
+// cell of the one before. Otherwise, a grid over the sampled centroids gives for each voxel the
+// deepest node that contains it, and the descent starts there.
 class Shortcuts {
 public:
-    // A cell and the sums that lead to it: lower <= sum < upper on every axis.
+    // A cell and the sums of bounds that belong to it: lower <= sum < upper on every axis.
     struct Place {
         std::uint32_t cell = 0;
         std::array<float, 3> lower{infinity, infinity, infinity};
@@ -92,7 +93,7 @@ public:
         }
     }
 
-    // Makes `place` the one of a PrimRef; it may be that already.
+    // Sets `place` to the place of a PrimRef. It may be that already.
     void find(const PrimRef& prim_ref, Place& place) const {
         std::array<float, 3> sum;
         bool is_same = true;
@@ -143,7 +144,7 @@ private:
             const std::size_t axis = axis_of(node);
             const float place = (node.plane.position - origin_[axis]) * scale_[axis];
             const auto begin = static_cast<float>(at[axis]);
-            // A voxel wider: places are rounded.
+            // Widened by a voxel, because positions in the grid are rounded.
             if (place <= begin - 1.0F && scale_[axis] > 0.0F) return TopTree::Step::above;
             return place >= begin + 2.0F ? TopTree::Step::below : TopTree::Step::nowhere;
         });
@@ -154,7 +155,7 @@ private:
     }
 
     const TopTree& top_;
-    std::vector<Place> places_;  // of each cell
+    std::vector<Place> places_;  // one per cell
     std::array<float, 3> origin_{};
     std::array<float, 3> scale_{};
     std::vector<std::uint32_t> starts_;
@@ -174,7 +175,8 @@ ObjectTop build_object_top(std::span<PrimRef> sample, float cell_size, const Ker
 
 std::vector<Range> fill_cells(const ObjectTop& top, std::span<PrimRef> from,
                               std::span<PrimRef> to) {
-    // Chunks depend on the sizes alone; as many as keep two threads busy and their counts small.
+    // Chunks depend on the sizes alone: enough for parallelism, few enough to keep their counts
+    // small.
     const std::size_t chunk_size = std::max(primitives_per_task, from.size() / 64);
     const std::size_t chunk_count = (from.size() + chunk_size - 1) / chunk_size;
     const std::size_t cell_count = top.tree.cell_count();
@@ -187,7 +189,7 @@ std::vector<Range> fill_cells(const ObjectTop& top, std::span<PrimRef> from,
         for (PrimRef& prim_ref : from.subspan(begin, end - begin)) {
             shortcuts.find(prim_ref, place);
             const std::uint32_t cell = place.cell;
-            prim_ref.weight = std::bit_cast<float>(cell);  // until it is moved
+            prim_ref.weight = std::bit_cast<float>(cell);  // until it is copied
             ++counts[cell];
         }
     });

@@ -5,12 +5,13 @@
 namespace coppice::inline v0::bvh8 {
 namespace {
 
-// Rays a triangle that make up for a longer build: the extra time for a triangle over what a ray
-// gains by it (docs/decisions/0005).
+// The number of rays per triangle from which the quality preset pays: the extra build time per
+// triangle over the time saved per ray (docs/decisions/0005).
 constexpr double quality_from = 30.0;
 
-// References a triangle at most. Of 1.1, 1.15 and 1.25 the first gives up a third of what spatial
-// splits gain in the forest and nothing elsewhere, and keeps to 56 bytes a triangle.
+// The greatest number of references per triangle. Of 1.1, 1.15 and 1.25, the first gives up a third
+// of the gain of spatial splits in the forest scene and nothing elsewhere, and stays below 56 bytes
+// a triangle.
 constexpr double most_references = 1.1;
 
 Bvh8Preset choose_preset(const Bvh8Options& options, std::uint32_t triangle_count) {

@@ -7,22 +7,22 @@
 
 namespace coppice::inline v0::bvh8 {
 
-/// By which sampler presets draw samples of their own.
+/// The sampler of presets that draw their own sample.
 inline constexpr std::string_view preset_sampler = "weighted";
 
-/// What the options come to for a scene of a certain size.
+/// The build parameters that follow from the options and the size of a scene.
 struct Plan {
-    Bvh8Preset preset;        ///< the one chosen
-    bool by_planes;           ///< cells by a k-d tree, else by object splits
-    std::uint32_t cell_size;  ///< triangles a cell is to hold
-    double room;              ///< PrimRefs a triangle at most, for spatial splits; 1: none
+    Bvh8Preset preset;        ///< the preset chosen
+    bool by_planes;           ///< true: cells by a k-d tree; false: by object splits
+    std::uint32_t cell_size;  ///< target triangles per cell
+    double room;              ///< greatest PrimRefs per triangle; 1: no spatial splits
     SampleOptions sampling;   ///< rate 1: the scene is not sampled
 };
 
-/// The plan for a scene of so many triangles.
+/// The plan for a scene of `triangle_count` triangles.
 [[nodiscard]] Plan make_plan(const Bvh8Options& options, std::uint32_t triangle_count);
 
-/// Options whose plan for a share of a scene is that for the whole, in small.
+/// Options whose plan for a part of a scene corresponds to the plan for the whole.
 [[nodiscard]] Bvh8Options scaled_down(const Bvh8Options& options, std::uint32_t triangle_count,
                                       double share);
 

@@ -5,8 +5,8 @@
 
 namespace coppice::inline v0::bvh8 {
 
-/// A triangle's box as the builder moves it about: the lower bound negated, so that one maximum of
-/// eight lanes unites two boxes. Lane 3 is the id, lane 7 what the PrimRef counts in costs.
+/// A triangle's box in the layout of the 8-wide builder. The lower bound is negated, so that one
+/// maximum over eight lanes unites two boxes. Lane 3 is the id, lane 7 the weight in costs.
 struct alignas(32) PrimRef {
     std::array<float, 3> negated_lower;
     std::uint32_t id;
@@ -16,9 +16,9 @@ struct alignas(32) PrimRef {
 
 static_assert(sizeof(PrimRef) == 32);
 
-/// Eight lanes laid out as in PrimRef, lanes 3 and 7 without meaning: a box, or a range of
-/// centroids (their sums lower + upper, negated and not). Not aligned: g++ 12 does not align every
-/// temporary of a type that asks for more than 16 bytes.
+/// Eight lanes in the layout of PrimRef, with lanes 3 and 7 unused: a box, or bounds of centroids
+/// (of the sums lower + upper). Not aligned, because g++ 12 does not align every temporary of a
+/// type with an alignment above 16 bytes.
 struct Box8 {
     std::array<float, 8> lane;
 

@@ -1,9 +1,10 @@
-// Spatial splits of triangle PrimRefs (SBVH): where the halves of an object split would overlap,
-// the range's box is divided into 16 slabs on each axis, triangles are cut at their borders, and
-// the cheapest border competes with the object split. What is cut is in both halves, so a range has
-// room to spare that its halves share by their sizes; without room there are no more cuts. Of a
-// large range a sample chooses the border, and the halves are kept only if they are cheaper as they
-// came out: a sample alone would be too hopeful. Cost: about twice that of the object split.
+// Spatial splits of triangle PrimRefs (SBVH). If the halves of an object split would overlap, the
+// range's box is divided into 16 slabs on each axis, and triangles are clipped to them. The
+// cheapest border between slabs competes with the object split. A triangle that is cut is in both
+// halves. Ranges therefore have spare room, which the halves share in proportion to their sizes;
+// without room there are no more spatial splits. In large ranges a sample chooses the border. The
+// halves are then kept only if their actual cost is lower, because a sample alone is too
+// optimistic. Cost: about twice that of the object split.
 // Source: [Stich2009] sec. 4.
 
 #include "builders/bvh8/spatial_splitter.h"
@@ -20,25 +21,27 @@
 namespace coppice::inline v0::bvh8 {
 namespace {
 
-// Of the area of the whole scene: halves that overlap less gain nothing by a cut [Stich2009].
+// The least overlap, relative to the scene's surface area. Halves that overlap less gain nothing
+// from a spatial split [Stich2009].
 constexpr float least_overlap = 1e-5F;
 
-// Smaller ranges are not cut: that would take half of the time and gain 0.3 % of the cost.
+// Smaller ranges are not split spatially: that would take half of the time and gain 0.3 % of the
+// cost.
 constexpr std::uint32_t least_size = 512;
 
-// From this size on one PrimRef in four chooses the border: a third of the time less, the cost
-// the same within 0.4 %.
+// From this size on, one PrimRef in four chooses the border. This saves a third of the time and
+// changes the cost by less than 0.4 %.
 constexpr std::uint32_t sampled_from = 4096;
 constexpr std::uint32_t one_in = 4;
 
-// Edges of larger scenes would overflow in calculations.
+// Computations on the edges of larger scenes would overflow.
 constexpr float largest_extent = 0x1.0p100F;
 
 bool is_empty(const Box8& box) noexcept {
     return box.lower(0) > box.upper(0);
 }
 
-// Half the surface area with edges scaled; 0 of an empty box.
+// Half the surface area, with edges multiplied by `factor`; 0 for an empty box.
 float half_area(const Box8& box, float factor) noexcept {
     if (is_empty(box)) return 0.0F;
     const float x = (box.upper(0) - box.lower(0)) * factor;
@@ -58,21 +61,21 @@ float overlap_area(const ObjectSplit& split, float factor) noexcept {
     return half_area(common, factor);
 }
 
-// The lower bound of a slab, and the cost of a split there in the unit of ObjectSplit::cost.
+// The lower border of a slab, and the cost of a split there in the unit of ObjectSplit::cost.
 struct SlabBorder {
     std::size_t slab = 0;
     float cost = std::numeric_limits<float>::infinity();
 };
 
-// The cost of a side of a split.
+// The cost of one side of a split.
 float cost_of(const Box8& box, std::uint32_t count, float factor) noexcept {
     constexpr std::uint32_t block_size = bvh8_width;
     const std::uint32_t blocks = (count + block_size - 1) / block_size;
     return half_area(box, factor) * static_cast<float>(blocks);
 }
 
-// The cheapest border that has fewer PrimRefs on each side than there are, where every one that
-// was counted stands for `stride`.
+// The cheapest border with fewer PrimRefs on each side than the range has. Every counted PrimRef
+// stands for `stride`.
 SlabBorder cheapest_border(const SlabContents& contents, std::uint32_t stride,
                            std::uint32_t reference_count, float factor) noexcept {
     std::array<float, slab_count> cost_above;
@@ -145,7 +148,7 @@ SpatialSplitter::Cut SpatialSplitter::find(const Range& range) const {
 std::optional<Halves> SpatialSplitter::divide(const Range& range, CutPlane plane) const {
     const auto prim_refs = this->prim_refs(range);
     const Chunks chunks(prim_refs.size());
-    std::vector<Sides<std::uint32_t>> begins(chunks.count());  // of each chunk
+    std::vector<Sides<std::uint32_t>> begins(chunks.count());  // per chunk
     chunks.for_each([&](std::size_t chunk, std::size_t begin, std::size_t end) {
         begins[chunk] = kernels_.count_pieces(prim_refs.subspan(begin, end - begin), mesh_, plane);
     });

@@ -11,19 +11,19 @@
 
 namespace coppice::inline v0::bvh8 {
 
-/// Splits ranges of PrimRefs at planes, where that is cheaper than to divide them: a triangle
-/// that the plane cuts is then on both sides, with the box of the part that it has there. Ranges
-/// must have room for the PrimRefs that this adds. The same result for any number of threads.
+/// Splits ranges of PrimRefs at planes, where that is cheaper than an object split. A triangle that
+/// the plane cuts is then on both sides, each with the box of its part there. Ranges must have room
+/// for the additional PrimRefs. The result does not depend on the number of threads.
 /// Source: [Stich2009] sec. 4.
 class SpatialSplitter {
 public:
-    /// For PrimRefs to a mesh's triangles in two buffers as long as each other. `bounds` is the
+    /// Works on PrimRefs of the triangles of `mesh` in two buffers of equal length. `bounds` is the
     /// box of all of them.
     SpatialSplitter(std::span<PrimRef> first, std::span<PrimRef> second, TriangleMeshView mesh,
                     const Box8& bounds, const Kernels& kernels) noexcept;
 
-    /// The halves of a range on the sides of a plane, if that is cheaper than `split` and there is
-    /// room for it.
+    /// Splits a range at a plane if that is cheaper than `split` and there is room for it. Returns
+    /// the halves, or nothing.
     [[nodiscard]] std::optional<Halves> improve(const Range& range, const ObjectSplit& split) const;
 
 private:
@@ -38,9 +38,9 @@ private:
 
     std::array<std::span<PrimRef>, 2> buffers_;
     MeshArrays mesh_;
-    float factor_;         // on edges, before areas are taken
-    float least_overlap_;  // of an object split's halves, in such an area
-    bool can_calculate_;   // no edge of the scene is so long that sums would overflow
+    float factor_;         // scale of edges before areas are computed
+    float least_overlap_;  // of an object split's halves, as a scaled area
+    bool can_calculate_;   // false if sums would overflow for this scene
     const Kernels& kernels_;
 };
 

@@ -1,7 +1,7 @@
 // Binned SAH splits of triangle PrimRefs by their centroids. A range of n PrimRefs is put into
-// min(16, 4 + n / 4) bins per axis (more changed the cost by less than 0.5 %), the cheapest border
-// of two bins is taken, and the PrimRefs are copied in their order to the other buffer: no
-// branch depends on the data. Large ranges are binned and copied in chunks at the same time.
+// min(16, 4 + n / 4) bins per axis; more bins changed the cost by less than 0.5 %. The cheapest
+// border between bins is chosen, and the PrimRefs are copied in order to the other buffer. No
+// branch depends on the data. Large ranges are binned and copied in parallel chunks.
 // Source: [Wald2007] sec. 3.
 
 #include "builders/bvh8/splitter.h"
@@ -38,7 +38,7 @@ std::uint32_t count_lower(std::span<const PrimRef> prim_refs, const ObjectSplit&
     return count;
 }
 
-// The two sides of a split in the other buffer, their centroids not found yet.
+// The two halves of a split in the other buffer, with centroid bounds not computed yet.
 Halves halves_of(const Range& range, const ObjectSplit& split, std::uint32_t lower_count) {
     Halves halves = place_halves(range, {lower_count, range.size() - lower_count});
     halves.lower.box = split.lower_box;
@@ -135,7 +135,7 @@ Halves Splitter::divide(const Range& range, const ObjectSplit& split,
     if (split.bin == 0) return halve(range);
     if (Chunks::are_worth_it(range.size())) return divide_in_chunks(range, split, mapping);
     const auto prim_refs = this->prim_refs(range);
-    // Weights of 1 sum up to the number without an error: there are not 2^24 of them.
+    // Weights of 1 sum up to their number exactly, since there are fewer than 2^24 of them.
     const std::uint32_t lower_count = costs_.whole_blocks
                                           ? static_cast<std::uint32_t>(split.lower_weight)
                                           : count_lower(prim_refs, split, mapping);
@@ -153,7 +153,7 @@ Halves Splitter::divide_in_chunks(const Range& range, const ObjectSplit& split,
                                   const BinMapping& mapping) const {
     const auto prim_refs = this->prim_refs(range);
     const Chunks chunks(prim_refs.size());
-    std::vector<std::uint32_t> lower_begin(chunks.count());  // of each chunk
+    std::vector<std::uint32_t> lower_begin(chunks.count());  // per chunk
     chunks.for_each([&](std::size_t chunk, std::size_t first, std::size_t last) {
         lower_begin[chunk] = count_lower(prim_refs.subspan(first, last - first), split, mapping);
     });

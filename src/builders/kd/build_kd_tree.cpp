@@ -16,17 +16,18 @@
 namespace coppice::inline v0 {
 namespace {
 
-// A tree of all primitives that was built until no split pays has nothing to gain from the later
-// stages: refilling gives back its leaves, and growing finds no split.
+// True if the later stages cannot change the tree: it was built from all primitives until no split
+// pays. Refilling would restore its leaves, and growing would find no split.
 bool is_complete(const Sample& sample, PrimitiveSetView primitives, const KdOptions& options) {
     return sample.ids.size() == primitives.size() && options.split.termination == Termination::sah;
 }
 
-// The stages' shares of the time, for the progress: for a scanned mesh, by the options alone.
+// The stages' shares of the build time, by the options alone, measured on a scanned mesh; for
+// progress reports.
 struct Shares {
     double sample = 0.03;
     double build = 0.0;
-    double empty = 0.0;  // takes no time to speak of
+    double empty = 0.0;  // takes negligible time
     double refill = 0.0;
     double refine = 0.0;
     double measure = 0.05;
@@ -64,7 +65,7 @@ std::size_t reference_count(const KdTree& tree) {
     return tree.references().size();
 }
 
-// The pipeline's stages, one after another, and the memory of what each leaves to the next.
+// The stages of the pipeline, in order, and the memory of what each passes to the next.
 class KdPipeline {
 public:
     KdPipeline(PrimitiveSetView primitives, const KdOptions& options, BuildRun& run)
@@ -87,7 +88,7 @@ public:
 private:
     Sample draw() {
         const auto work = [&] {
-            require_usable(primitives_);  // its time counts as the sample's: nothing is left out
+            require_usable(primitives_);  // counted in the time of the first stage
             return draw_sample(primitives_, options_.sample);
         };
         Sample sample = run_.stage(stages_.sample, shares_.sample, work, sampled_count);

@@ -1,16 +1,18 @@
-// The refilled tree is built on: all primitives go down it once more, and where they come to a leaf
-// a k-d tree of its own takes its place. On the way, two kinds of planes that the sample chose
-// badly are retracted; kept, they cost more than all else that sampling does (docs/decisions/0002).
+// Refines the refilled tree. All primitives descend it once more, and each leaf is replaced by a
+// k-d tree of its primitives. On the way, two kinds of planes that the sample chose badly are
+// retracted. If kept, they cost more than all other effects of sampling (docs/decisions/0002).
 //
-// - A plane that cut off a cell which was empty in the sample but is not in the scene was chosen
-//   for a bonus it does not earn. It moves out to where the cell is truly empty, if the heuristic,
-//   with all primitives counted, finds that cheaper; where there is no such place it goes, unless
-//   it saves a good part of that without the bonus.
-// - Of a plane chosen from a handful of sampled primitives the node is built anew from all its own.
+// - A plane that cut off a cell which is empty in the sample but holds primitives was chosen for an
+//   empty bonus that it does not earn. It is moved outward to where the cell is truly empty, if the
+//   heuristic finds that cheaper with all primitives counted. If there is no such place, the plane
+//   is removed, unless it saves a fifth of what the bonus promised.
+// - A node whose plane was chosen from a handful of sampled primitives is rebuilt from all its
+//   primitives.
 //
-// The planes that are kept are passed many at once (TopTree), down to where something is to be
-// decided, and each of these places is built on by itself, the largest first.
-// Cost: two copies of a PrimRef for ten levels, then the builder's.
+// Planes that are kept are passed many levels at once (KdTopTree), down to the nodes where
+// something must be decided. Each of these subtrees is a task, the largest first.
+//
+// Cost: two copies of a PrimRef for ten levels, then the builder's cost.
 
 #include "coppice/base/parallel.h"
 #include "coppice/builders/refine.h"
@@ -30,11 +32,12 @@
 namespace coppice::inline v0 {
 namespace {
 
-// A plane chosen from fewer sampled primitives is noise. More of them leave less of the tree to the
-// sample, fewer make it worse: docs/decisions/0002 has what was measured.
+// A plane chosen from fewer sampled primitives is noise. A greater value leaves less of the tree to
+// the sample, a smaller one makes the tree worse: docs/decisions/0002 has the measurements.
 constexpr double min_sampled_primitives = 64.0;
 
-// Where the PrimRefs of a node begin, seen from one of its sides.
+// The end of the empty space at one side of a node: the first position that its PrimRefs reach from
+// there.
 float begin_of(std::span<const PrimRef> prim_refs, Axis axis, PlanarSide from) {
     float begin = from == PlanarSide::below ? Aabb::infinity : -Aabb::infinity;
     for (const PrimRef& prim_ref : prim_refs) {
@@ -54,7 +57,7 @@ public:
           options_(options),
           builder_(primitives, options, until_it_pays(options.split), meter) {}
 
-    // A node of the old tree with all its PrimRefs.
+    // A node of the old tree with all its PrimRefs, box, depth and share of the work.
     struct Node {
         std::uint32_t index;
         std::vector<PrimRef> prim_refs;
@@ -76,7 +79,8 @@ public:
     }
 
 private:
-    // By nodes, of all leaves below them. Children follow their parents.
+    // The number of references below each node. Children follow their parents, so one backward pass
+    // suffices.
     static std::vector<std::uint64_t> count_references(std::span<const KdNode> nodes) {
         std::vector<std::uint64_t> counts(nodes.size());
         for (std::size_t i = nodes.size(); i-- > 0;) {
@@ -92,7 +96,7 @@ private:
         return rate < 1.0 && static_cast<double>(prim_ref_count) * rate < min_sampled_primitives;
     }
 
-    // True for inner nodes that are not split as the old tree does, or may not be.
+    // True for inner nodes whose plane is retracted or may be.
     [[nodiscard]] bool is_open(std::uint32_t index) const {
         const KdNode& node = nodes_[index];
         return is_noise(references_below_[index]) || is_falsely_empty(node.lower_child()) ||
@@ -105,15 +109,15 @@ private:
                node.reference_count() > 0;
     }
 
-    // True if a split saves at least a fifth of what the bonus for empty space promises.
+    // True if a split saves at least a fifth of what the empty bonus promised.
     [[nodiscard]] bool keeps_its_promise(double cost, std::size_t prim_ref_count) const {
-        // What a custom model promises for empty space is not known.
+        // The empty bonus of a custom model is unknown; 0 is used.
         const double bonus = options_.cost.custom ? 0.0 : options_.cost.empty_bonus;
         return cost <
                (1.0 - 0.2 * bonus) * options_.cost.leaf_cost(static_cast<double>(prim_ref_count));
     }
 
-    // Decides anew about a plane whose child on `side` was empty in the sample only.
+    // Decides about a plane whose child on `side` is empty in the sample but holds primitives.
     [[nodiscard]] TreePart revise(Node node, PlanarSide side) const {
         const KdNode& old = nodes_[node.index];
         const SplitPlane plane{old.axis(), begin_of(node.prim_refs, old.axis(), side)};
@@ -134,7 +138,7 @@ private:
                               : TreePart(plane, PlanarSide::below, std::move(grown), TreePart());
     }
 
-    // Splits as the old tree does.
+    // Splits at the old tree's plane.
     [[nodiscard]] TreePart split(Node node) const {
         if (node.prim_refs.size() >= parallel_prim_ref_count) return split_on(std::move(node));
         const KdNode& old = nodes_[node.index];
@@ -159,7 +163,8 @@ private:
             });
     }
 
-    // The same, and on in this way down to where there is something to decide.
+    // Splits at the old tree's planes many levels at once, down to the nodes where something must
+    // be decided.
     [[nodiscard]] TreePart split_on(Node node) const {
         const KdTopTree top_tree(
             nodes_, {node.index, node.box, node.depth}, levels_at_once,
@@ -195,7 +200,7 @@ private:
         return static_cast<double>(std::max<std::size_t>(count, 1));
     }
 
-    // The parts under the planes of a top_tree's node.
+    // Joins the parts of all cells below a node of the top tree.
     static TreePart joined(const TopTree& top_tree, std::uint32_t index,
                            std::vector<TreePart>& parts) {
         const TopTree::Node& node = top_tree.nodes()[index];

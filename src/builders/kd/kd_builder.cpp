@@ -13,9 +13,9 @@ double ratio(std::size_t after, std::size_t before) noexcept {
     return static_cast<double>(after) / static_cast<double>(before);
 }
 
-// Where splits go on as long as they pay, rules that allow it have the boxes cut and not the
-// primitives in nodes of at most so many PrimRefs: half of all clipping is there, and few splits
-// would follow that gain by it (docs/decisions/0004).
+// In nodes of at most this many PrimRefs, if splits continue as long as they pay and the rule
+// allows it, boxes are clipped instead of primitives. Half of all clipping happens there, and few
+// of the following splits would gain by it (docs/decisions/0004).
 constexpr std::size_t boxes_cut_up_to = 12;
 
 Clipping clipping_in_small_nodes(const KdOptions& options, const TerminationRule& stop) {
@@ -35,7 +35,8 @@ KdBuilder::KdBuilder(PrimitiveSetView primitives, const KdOptions& options,
       stop_(stop),
       isa_(choose_isa()) {}
 
-// The split of a node, or nothing if it is to be a leaf; counts a bad refine on the node's path.
+// The split of a node, or nothing if it becomes a leaf. Counts splits that do not pay in the node's
+// state.
 std::optional<SplitCandidate> KdBuilder::find_split(std::span<const PrimRef> prim_refs,
                                                     NodeState& node) const {
     const double weight = weight_of(prim_refs);
@@ -81,7 +82,8 @@ TreePart KdBuilder::build(std::vector<PrimRef> prim_refs, NodeState node, WorkSh
         [&, work = work_above] { return build(sides.take_above(), upper, work); });
 }
 
-// As build(), within one task: the node's PrimRefs are the topmost `count`, and are popped.
+// Builds a subtree within one task. The node's PrimRefs are the topmost `count` of the stack, and
+// are popped.
 void KdBuilder::build_alone(Subtree& tree, std::uint32_t slot, PrimRefStack& stack,
                             std::size_t count, NodeState node) const {
     const auto split = find_split(stack.top(count), node);

@@ -17,16 +17,16 @@
 
 namespace coppice::inline v0 {
 
-/// Builds k-d (sub)trees top-down by one split rule: what building on the sample and growing the
-/// leaves share. Subtrees above a fixed size are built in parallel; the result does not depend on
+/// Builds k-d (sub)trees top-down by one split rule, both over the sample and in the leaves of the
+/// refilled tree. Subtrees above a fixed size are built in parallel. The result does not depend on
 /// the number of threads.
 class KdBuilder {
 public:
-    /// Throws Error(invalid_argument) like choose_isa().
+    /// Throws Error(invalid_argument) if COPPICE_ISA is invalid; see choose_isa().
     KdBuilder(PrimitiveSetView primitives, const KdOptions& options, const TerminationRule& stop,
               MemoryMeter* meter = nullptr);
 
-    /// The subtree of a node with these PrimRefs; tells `work` what is done.
+    /// The subtree of a node with these PrimRefs. Reports its progress to `work`.
     [[nodiscard]] TreePart build(std::vector<PrimRef> prim_refs, NodeState node,
                                  WorkShare work = {}) const;
 
@@ -37,7 +37,7 @@ private:
                      NodeState node) const;
 
     Division division_;
-    Division small_division_;  // of nodes where clipping takes more time than it saves
+    Division small_division_;  // for small nodes, where clipping primitives does not pay
     const SplitFinder& finder_;
     SahCostModel cost_;
     TerminationRule stop_;

@@ -1,6 +1,6 @@
-// Division of a node's PrimRefs at a plane: the step that build, refill and growth share, so that
-// they agree on every primitive bit for bit. A straddling primitive is clipped to the part of its
-// PrimRef's box on each side, not to the child's box: PrimRefs only ever shrink on the way down,
+// Divides a node's PrimRefs at a plane. Building, refilling and growing share this step, so that
+// they agree on every primitive to the bit. A primitive across the plane is clipped to the part of
+// its PrimRef's box on each side, not to the child's box. So PrimRefs only shrink on the way down,
 // and two ways to the same leaf give the same PrimRef.
 // Source: [WaldHavran2006] sec. 2.4 (perfect splits) and 4.2.
 
@@ -24,20 +24,21 @@ void divide_across(const PrimRef& prim_ref, SplitPlane plane, const Division& di
     if (division.clipping == Clipping::perfect) {
         const Aabb clipped_lower = division.primitives.clipped_bounds(prim_ref.id, lower);
         const Aabb clipped_upper = division.primitives.clipped_bounds(prim_ref.id, upper);
-        // A primitive that its own clipping denies on both sides stays on both: nothing is lost.
+        // If clipping finds no part on either side, the primitive stays on both sides, so that it
+        // is not lost.
         if (!clipped_lower.is_empty() || !clipped_upper.is_empty()) {
             lower = clipped_lower;
             upper = clipped_upper;
         }
     }
-    // `PrimRef` may be where *out.above is.
+    // Copied first: `prim_ref` may refer to *out.above.
     const std::uint32_t id = prim_ref.id;
     const float weight = prim_ref.weight;
     if (!lower.is_empty()) *out.below++ = {lower, id, weight};
     if (!upper.is_empty()) *out.above++ = {upper, id, weight};
 }
 
-// One side of a partition made in chunks.
+// Concatenates one side of the chunks of a partition.
 std::vector<PrimRef> joined(std::span<Partition> chunks, std::vector<PrimRef> Partition::*side) {
     std::vector<std::size_t> ends;
     std::size_t count = 0;

@@ -11,11 +11,11 @@
 
 namespace coppice::inline v0 {
 
-/// Where a PrimRef lies with respect to a plane.
+/// The position of a PrimRef relative to a plane.
 enum class PlaneRelation { below, above, across, in_plane };
 
-/// The one classification that split costs, build and refill share. Touching is not crossing: a
-/// PrimRef that ends at the plane is on one side.
+/// Classifies a PrimRef. Split costs, building and refilling all use this rule. Touching is not
+/// crossing: a PrimRef that ends at the plane is on one side.
 [[nodiscard]] constexpr PlaneRelation relation_to(const Aabb& prim_ref, SplitPlane plane) noexcept {
     const float lower = prim_ref.lower[plane.axis];
     const float upper = prim_ref.upper[plane.axis];
@@ -26,33 +26,35 @@ enum class PlaneRelation { below, above, across, in_plane };
                                                             : PlaneRelation::in_plane;
 }
 
-/// How PrimRefs are divided: the same for all nodes of a build.
+/// How PrimRefs are divided. The same for all nodes of a build.
 struct Division {
     PrimitiveSetView primitives;
     Clipping clipping;
-    MemoryMeter* meter = nullptr;  ///< told of the arrays that partition() makes
+    MemoryMeter* meter = nullptr;  ///< counts the arrays that partition() makes
 };
 
-/// Room for the PrimRefs of two children; each takes at most as many as their parent has.
+/// Output ranges for the PrimRefs of two children. Each must have room for all PrimRefs of the
+/// parent.
 struct PartitionOutput {
     PrimRef* below;
     PrimRef* above;
 };
 
-/// Divides a node's PrimRefs at a plane, both sides in the order of the node's. A PrimRef across
-/// it goes to every side that its primitive reaches, clipped anew; none is lost. `out.above` may be
-/// where the PrimRefs are: that side is then divided in place. Returns the ends of both sides.
+/// Divides a node's PrimRefs at a plane; both sides keep their order. A PrimRef across the plane
+/// goes to every side that its primitive reaches, with its box clipped. None is lost. `out.above`
+/// may be the beginning of the PrimRefs: that side is then divided in place. Returns the ends of
+/// both sides.
 PartitionOutput divide(std::span<const PrimRef> prim_refs, SplitPlane plane, PlanarSide planar_side,
                        const Division& division, PartitionOutput out);
 
-/// The PrimRefs of a node's two children, each in the order of the node's.
+/// The PrimRefs of a node's two children, in the order of the node's.
 struct Partition {
     std::vector<PrimRef> below;
     std::vector<PrimRef> above;
     MeteredBytes below_bytes;
     MeteredBytes above_bytes;
 
-    /// Hands the PrimRefs of a side over to one who counts them.
+    /// Moves the PrimRefs of a side out; the caller then counts their memory.
     [[nodiscard]] std::vector<PrimRef> take_below() noexcept {
         below_bytes.release();
         return std::move(below);
@@ -64,14 +66,14 @@ struct Partition {
     }
 };
 
-/// divide() into new arrays, in parallel where there are many PrimRefs.
+/// Divides PrimRefs into new arrays, in parallel if there are many. See divide().
 [[nodiscard]] Partition partition(std::span<const PrimRef> prim_refs, SplitPlane plane,
                                   PlanarSide planar_side, const Division& division);
 
-/// The PrimRefs of all primitives, unclipped, in the order of their ids.
+/// Makes the PrimRefs of all primitives, unclipped, in the order of their ids.
 [[nodiscard]] std::vector<PrimRef> whole_prim_refs(PrimitiveSetView primitives);
 
-/// The box of all primitives.
+/// The bounding box of all primitives.
 [[nodiscard]] Aabb bounds_of_all(PrimitiveSetView primitives);
 
 }  // namespace coppice::inline v0

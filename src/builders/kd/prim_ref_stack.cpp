@@ -13,7 +13,7 @@ PrimRefStack::Sides PrimRefStack::divide_top(std::size_t count, SplitPlane plane
     const PartitionOutput end = divide(top(count), plane, planar_side, division, begin);
     const Sides sides{static_cast<std::size_t>(end.below - begin.below),
                       static_cast<std::size_t>(end.above - begin.above)};
-    // Close the gap that the node leaves if some of its PrimRefs are below only.
+    // Closes the gap that PrimRefs leave that are only below the plane.
     std::copy(begin.below, end.below, end.above);
     size_ = size_ - count + sides.above + sides.below;
     return sides;

@@ -11,12 +11,12 @@
 
 namespace coppice::inline v0 {
 
-/// The PrimRefs of a node and of all that still waits while one task goes down depth first, in one
-/// array: a node's PrimRefs are on top; dividing them leaves the upper child's in their place and
-/// puts the lower child's on top. So no node allocates.
+/// The PrimRefs of a node and of all waiting nodes in one array, while one task descends depth
+/// first. A node's PrimRefs are on top. Dividing them leaves the upper child's in their place and
+/// puts the lower child's on top. So no node allocates memory.
 class PrimRefStack {
 public:
-    /// The stack of a root with these PrimRefs.
+    /// A stack that holds the PrimRefs of a root.
     explicit PrimRefStack(std::vector<PrimRef> prim_refs)
         : prim_refs_(std::move(prim_refs)), size_(prim_refs_.size()) {}
 
@@ -25,13 +25,13 @@ public:
         return std::span(prim_refs_).subspan(size_ - count, count);
     }
 
-    /// How many PrimRefs a division left on each side.
+    /// The number of PrimRefs on each side after a division.
     struct Sides {
         std::size_t below;
         std::size_t above;
     };
 
-    /// Divides the topmost `count` PrimRefs; those below the plane are on top afterwards.
+    /// Divides the topmost `count` PrimRefs. Those below the plane are on top afterwards.
     Sides divide_top(std::size_t count, SplitPlane plane, PlanarSide planar_side,
                      const Division& division);
 

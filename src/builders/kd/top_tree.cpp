@@ -1,6 +1,6 @@
-// All PrimRefs go down many levels at once. A PrimRef is followed to the cells it reaches before
-// the next one is looked at, so that it is moved twice and not once a level: in chunks, first to a
-// chunk's own list, sorted by cell, then to the cell. The descent branches, since meshes are
+// All PrimRefs descend many levels at once. A PrimRef is followed to all cells that it reaches
+// before the next one, so that it is copied twice rather than once per level: first to its chunk's
+// list, which is sorted by cell, then to the cell. The descent uses branches, since meshes are
 // coherent. Cost: O(N levels) comparisons, two copies a PrimRef.
 
 #include "builders/kd/top_tree.h"
@@ -16,11 +16,11 @@
 namespace coppice::inline v0 {
 namespace {
 
-// What a chunk sends to the cells.
+// The PrimRefs that a chunk sends to the cells.
 struct Sent {
     std::vector<PrimRef> prim_refs;
     std::vector<std::uint32_t> cells;
-    std::vector<std::uint32_t> ends;  // of each cell, once they are sorted by it
+    std::vector<std::uint32_t> ends;  // end of each cell's PrimRefs after sort_by_cell()
     MeteredBytes bytes;
 };
 
@@ -68,7 +68,7 @@ private:
     Sent& sent_;
 };
 
-// Keeps the order of each cell's PrimRefs.
+// Sorts by cell and keeps the order within each cell.
 void sort_by_cell(Sent& sent, std::size_t cell_count) {
     std::vector<std::uint32_t> next(cell_count + 1);
     for (const std::uint32_t cell : sent.cells) {
@@ -127,7 +127,7 @@ KdTopTree::KdTopTree(std::span<const KdNode> tree, const Cell& root, int level_c
 
 std::vector<std::vector<PrimRef>> KdTopTree::distribute(std::vector<PrimRef> prim_refs,
                                                         const Division& division) const {
-    // Chunks depend on the number of PrimRefs alone, and their lists take little room.
+    // Chunks depend on the number of PrimRefs alone, and their lists need little memory.
     const std::size_t chunk_size = std::max(primitives_per_task, prim_refs.size() / 64 + 1);
     MeteredBytes bytes(division.meter, prim_refs);
     std::vector<Sent> chunks((prim_refs.size() + chunk_size - 1) / chunk_size);

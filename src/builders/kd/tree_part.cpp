@@ -8,7 +8,7 @@ namespace coppice::inline v0 {
 struct TreePart::Joint {
     SplitPlane plane;
     PlanarSide planar_side;
-    std::array<TreePart, 2> sides;  // below the plane, above it
+    std::array<TreePart, 2> sides;  // below and above the plane
 };
 
 TreePart::TreePart() = default;
@@ -46,7 +46,7 @@ void TreePart::move_to(Subtree& whole, const PartPlace& place) {
         whole.nodes[root] = KdNode::make_inner(joint_->plane, joint_->planar_side, below);
         return;
     }
-    // Node i >= 1 of the piece lands at below + i - 1.
+    // Node i >= 1 of the piece moves to index below + i - 1.
     const std::uint32_t node_offset = below - 1;
     const auto references = static_cast<std::uint32_t>(place.items);
     whole.nodes[root] = relocated(piece_.nodes[0], node_offset, references);
@@ -60,7 +60,7 @@ void TreePart::move_to(Subtree& whole, const PartPlace& place) {
 }
 
 Subtree assemble(TreePart&& part, MemoryMeter* meter) {
-    // KdNode has its children side by side.
+    // A KdNode needs its children side by side.
     const Placement<TreePart, LinkedRoots::together> places(part);
     require_possible(places.node_count(), places.item_count());
     Subtree whole;

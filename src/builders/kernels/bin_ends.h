@@ -9,13 +9,13 @@ namespace coppice::inline v0 {
 
 inline constexpr std::size_t bin_count = 32;
 
-/// Which bin a position on an axis is in: monotone in the position.
+/// Maps positions to bins on each axis; monotonic in the position.
 struct BinGrid {
     Vec3f origin;
     Vec3f bins_per_unit;
 };
 
-/// The PrimRefs that start and those that end in each bin of an axis.
+/// The weights and extreme positions of PrimRefs that start and end in each bin of an axis.
 struct AxisBins {
     AxisBins() noexcept {
         first_start.fill(Aabb::infinity);
@@ -34,16 +34,16 @@ struct AxisBins {
 
     friend bool operator==(const AxisBins&, const AxisBins&) = default;
 
-    std::array<double, bin_count> starts{};  ///< their weight
+    std::array<double, bin_count> starts{};  ///< weight of the PrimRefs that start in a bin
     std::array<double, bin_count> ends{};
-    std::array<float, bin_count> first_start;  ///< the least position; infinite if there is none
+    std::array<float, bin_count> first_start;  ///< least start in a bin; infinite if none
     std::array<float, bin_count> last_end;
 };
 
 /// The bins of all axes.
 using NodeBins = std::array<AxisBins, 3>;
 
-/// The bin of a position; those outside the grid are in the first or the last.
+/// The bin of a position. Positions outside the grid are in the first or last bin.
 [[nodiscard]] inline std::size_t bin_of(float position, float origin,
                                         float bins_per_unit) noexcept {
     const auto bin = static_cast<int>((position - origin) * bins_per_unit);

@@ -1,5 +1,5 @@
-// Bins both ends of all PrimRefs on all axes in one pass: a PrimRef is eight lanes, of which the
-// first six are positions. Cost: O(PrimRefs).
+// Bins both ends of all PrimRefs on all axes in one pass. A PrimRef is loaded as eight lanes, of
+// which the first six are positions. Cost: O(PrimRefs).
 
 #include "simd/set.h"
 
@@ -27,7 +27,7 @@ namespace COPPICE_SIMD_SET {
 
 using namespace simd::COPPICE_SIMD_SET;
 
-// The lanes that BinGrid has a value for on each axis.
+// Spreads a vector with a value per axis over the lanes of both ends.
 inline Lanes on_ends(Vec3f v) noexcept {
     return join(make_quad(v.x, v.y, v.z, v.x), make_quad(v.y, v.z, 0.0F, 0.0F));
 }

@@ -1,5 +1,5 @@
-// Boxes and PrimRefs of the 8-wide builder on eight lanes: the lower corner negated, then the upper
-// one, so that one maximum unites two boxes.
+// Boxes and PrimRefs of the 8-wide builder in eight lanes: the negated lower corner, then the upper
+// corner, so that one maximum unites two boxes.
 
 #include "simd/set.h"
 
@@ -40,7 +40,7 @@ inline Lanes lanes_of(const PrimRef& prim_ref) noexcept {
     return load_unaligned(prim_ref.negated_lower.data());
 }
 
-// A point as a box without extent.
+// The box of a single point.
 inline Lanes lanes_of(const Vec3f& point) noexcept {
     const Quad coordinates = load_point(&point.x);
     return join(-coordinates, coordinates);
@@ -50,7 +50,7 @@ inline void grow(Box8& box, Lanes piece) noexcept {
     store_box(max(piece, load_box(box)), box);
 }
 
-// Whether a box is not empty on any axis.
+// True if a box is not empty on any axis.
 inline bool has_extent(Lanes box) noexcept {
     constexpr unsigned all_axes_bits = 0b111;
     const Quad extent = lower_half(box) + upper_half(box);
@@ -58,25 +58,25 @@ inline bool has_extent(Lanes box) noexcept {
     return (axes & all_axes_bits) == all_axes_bits;
 }
 
-// The sums lower + upper on each axis.
+// The sums lower + upper of a box on each axis.
 inline Quad sum_of(Lanes box) noexcept {
     return upper_half(box) - lower_half(box);
 }
 
-// The same as a box without extent.
+// The sums lower + upper of a box, as the box of a single point.
 inline Lanes centroid_of(Lanes box) noexcept {
     const Quad sum = sum_of(box);
     return join(-sum, sum);
 }
 
-// Half the surface area of a box, its edges scaled.
+// Half the surface area of a box, with edges multiplied by `factor`.
 inline float half_area(Lanes box, float factor) noexcept {
     const Quad extent =
         (upper_half(box) + lower_half(box)) * make_quad(factor, factor, factor, factor);
     return sum_of_axes(extent * of_next_axis(extent));
 }
 
-// BinMapping on all axes at once.
+// Applies a BinMapping on all axes at once.
 class Binner {
 public:
     explicit Binner(const BinMapping& mapping) noexcept
@@ -88,7 +88,7 @@ public:
 
     [[nodiscard]] std::array<std::uint32_t, 3> operator()(Lanes prim_ref) const noexcept {
         const Quad place = (sum_of(prim_ref) - origin_) * scale_;
-        return to_integers(min(place, last_));  // the last for NaN
+        return to_integers(min(place, last_));  // NaN becomes the last bin
     }
 
 private:

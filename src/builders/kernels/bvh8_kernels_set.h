@@ -1,4 +1,4 @@
-// The inner loops of the 8-wide builder for an instruction set.
+// The inner loops of the 8-wide builder on the lanes of one instruction set.
 
 #include "simd/set.h"
 

@@ -9,18 +9,18 @@
 
 namespace coppice::inline v0 {
 
-/// The inner loops of the k-d builders, compiled for one instruction set. All sets give the same
-/// results to the bit.
+/// The inner loops of the k-d builders for one instruction set. All sets give equal results to the
+/// bit.
 struct KdKernels {
-    /// Evaluates the ends strictly inside the node. Costs are, bit for bit, those of
-    /// PlaneEvaluator.
+    /// Finds the cheapest plane among the ends strictly inside the node. Costs equal those of
+    /// PlaneEvaluator to the bit.
     BestPlane (*find_best_plane)(const AxisEnds&, const CostTerms&) noexcept;
 
-    /// Adds PrimRefs to the bins.
+    /// Adds the ends of PrimRefs to the bins.
     void (*bin_ends)(std::span<const PrimRef>, const BinGrid&, NodeBins&) noexcept;
 };
 
-/// The kernels for an instruction set that this processor has.
+/// The kernels for an instruction set, which this processor must support.
 [[nodiscard]] const KdKernels& kd_kernels_for(Isa isa) noexcept;
 
 }  // namespace coppice::inline v0

@@ -1,4 +1,4 @@
-// The inner loops of the k-d builders for an instruction set.
+// The inner loops of the k-d builders on the lanes of one instruction set.
 
 #include "simd/set.h"
 

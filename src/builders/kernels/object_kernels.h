@@ -1,5 +1,5 @@
-// The inner loops of the 8-wide builder that divide PrimRefs by their centroids, on eight lanes. No
-// fused operations, so that all sets give the same results.
+// The inner loops of the 8-wide builder that divide PrimRefs by their centroids, on eight lanes.
+// They use no fused operations, so that all instruction sets give equal results.
 
 #include "simd/set.h"
 
@@ -57,8 +57,9 @@ inline void add(Bins& bins, const Binner& bin_of, const PrimRef& prim_ref) noexc
     add_to_bin(bins, 2, at[2], lanes, prim_ref.weight);
 }
 
-// Neighbours in the mesh fall into the same bin, and each would wait for the one before to be
-// stored. Two sets of bins in turn halve that wait; merging them pays from here on.
+// Neighbours in the mesh fall into the same bin, and each update of a bin waits for the store
+// before it. Two sets of bins used in turns halve that wait. From this number of PrimRefs on, that
+// outweighs the cost of merging them.
 constexpr std::size_t min_two_sets = 128;
 
 void bin(std::span<const PrimRef> prim_refs, const BinMapping& mapping, Bins& bins) noexcept {
@@ -86,13 +87,13 @@ void bin(std::span<const PrimRef> prim_refs, const BinMapping& mapping, Bins& bi
 
 using PerBin = std::array<float, max_bin_count>;
 
-// Of the bins before (or from) each border: half the area of their box, and their weight.
+// For each border, the bins on one side of it: half the area of their box, and their weight.
 struct Side {
     alignas(32) PerBin area;
     alignas(32) PerBin weight;
 };
 
-// Border `at` is between bins at - 1 and at.
+// Sums up the bins below each border. Border `at` is between bins at - 1 and at.
 inline void sum_below(const std::array<Box8, max_bin_count>& boxes, const PerBin& weights,
                       std::uint32_t bin_count, float factor, Side& below) noexcept {
     Lanes box = load_box(boxes[0]);
@@ -117,7 +118,7 @@ inline void sum_above(const std::array<Box8, max_bin_count>& boxes, const PerBin
     }
 }
 
-// The cost of every border; infinite where a side has nothing.
+// Computes the cost of every border; infinite if a side is empty.
 inline void cost_borders(const Side& below, const Side& above, const SplitCosts& costs,
                          PerBin& cost) noexcept {
     constexpr std::size_t lane_count = 8;
@@ -162,7 +163,7 @@ struct BinnedAxis {
     std::uint32_t bin_count;
 };
 
-// Takes the cheapest border on an axis if it is cheaper than the best so far.
+// Replaces the best split by the cheapest border on an axis if that is cheaper.
 inline void improve_split(const BinnedAxis& bins, const SplitCosts& costs,
                           ObjectSplit& best) noexcept {
     Side below{};

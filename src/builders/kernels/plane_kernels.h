@@ -1,11 +1,11 @@
-// Counts PrimRefs on both sides of the planes of a small node, and evaluates the heuristic there:
-// each PrimRef is compared with vectors of planes, without a branch and without sorting.
-// Cost: O(PrimRefs planes / 8), less than a sort up to some 64 PrimRefs, where most nodes of a
-// k-d tree are.
+// Counts the PrimRefs on both sides of the planes of a small node, and evaluates the heuristic
+// there. Each PrimRef is compared with vectors of planes, without branches and without sorting.
+// Cost: O(PrimRefs planes / 8). That is less than sorting up to about 64 PrimRefs, and most nodes
+// of a k-d tree are that small.
 //
-// Where there are many ends, half of them are left out. Between ends the cost is linear in the
-// position: it falls where more reaches above than below, and rises after that. So before that
-// place only starts come into question, and after it only ends.
+// If there are many ends, half of them are left out. Between ends the cost is linear in the
+// position. It falls where more PrimRefs reach above the position than below, and rises elsewhere.
+// So before that turning point only starts can be cheapest, and after it only ends.
 //
 // No fused multiply-add may be used here: costs must equal those of the scalar code.
 
@@ -39,9 +39,10 @@ using namespace simd::COPPICE_SIMD_SET;
 constexpr std::size_t lane_count = 8;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Constructors are written out: those that compilers make are not compiled for the set.
+// Constructors are written out, because those that the compiler generates are not compiled for the
+// instruction set.
 
-// Sums of ones.
+// Counts PrimRefs of weight 1.
 struct Ones {
     COPPICE_LANES Ones() noexcept : sum(make_counters()) {}
 
@@ -64,7 +65,7 @@ struct Weights {
     Lanes sum;
 };
 
-// CostTerms in all lanes.
+// CostTerms, repeated in all lanes.
 struct LaneTerms {
     COPPICE_LANES explicit LaneTerms(const CostTerms& terms) noexcept
         : lower(broadcast_double(terms.lower)),
@@ -104,7 +105,7 @@ public:
     COPPICE_LANES LaneBest() noexcept
         : cost_(broadcast_double(infinity)), position_(broadcast_double(infinity)) {}
 
-    // Offers planes; those that are not inside the node do not count.
+    // Considers planes in all lanes. Planes that are not inside the node are ignored.
     COPPICE_LANES void offer(const Doubles& at, const Doubles& any_cost,
                              const LaneTerms& terms) noexcept {
         const DoubleMask is_inside = is_less(terms.lower, at) & is_less(at, terms.upper);
@@ -150,7 +151,7 @@ COPPICE_LANES Lanes weight_in_planes(const AxisEnds& ends, const Lanes& position
     return in_plane.get();
 }
 
-// Offers planes at positions, with the sums of weights below, above and in them.
+// Considers planes at four positions, with the sums of weights below, above and in them.
 COPPICE_LANES void offer_half(const Quad& position, const Quad& below_sum, const Quad& above_sum,
                               const Quad& in_plane_sum, bool has_planar, const LaneTerms& terms,
                               LaneBest& best) noexcept {
@@ -187,7 +188,8 @@ COPPICE_LANES void offer_planes(const AxisEnds& ends, const LaneTerms& terms, co
                ends.has_planar, terms, best);
 }
 
-// What reaches below a position less what reaches above it: never falls with the position.
+// The weight that reaches below a position minus the weight that reaches above it; monotonic in the
+// position.
 COPPICE_LANES float excess_below(const AxisEnds& ends, float position) noexcept {
     const Lanes at = broadcast(position);
     Lanes excess = broadcast(0.0F);
@@ -205,14 +207,15 @@ COPPICE_LANES float excess_below(const AxisEnds& ends, float position) noexcept 
     return sum;
 }
 
-// Starts after `last_start` and ends before `first_end` cost more than another plane.
+// A range of positions that contains the turning point of the cost. Starts after `last_start` and
+// ends before `first_end` cannot be cheapest.
 struct Bracket {
     float last_start;
     float first_end;
 };
 
-// The first start and the last end inside the node are never left out: the cheaper plane that the
-// others are beaten by may be the node's face.
+// Widens a bracket to include the first start and the last end inside the node. Those are never
+// left out: the cheaper plane that excludes others may be the node's face.
 COPPICE_LANES void widen(Bracket& bracket, const AxisEnds& ends, float lower,
                          float upper) noexcept {
     float first_start = upper;
@@ -227,7 +230,7 @@ COPPICE_LANES void widen(Bracket& bracket, const AxisEnds& ends, float lower,
     bracket.first_end = std::min(bracket.first_end, last_end);
 }
 
-// Bisects for where as much reaches below as above.
+// Finds by bisection where as much weight reaches below as above.
 COPPICE_LANES Bracket find_bracket(const AxisEnds& ends, float lower, float upper) noexcept {
     constexpr int step_count = 4;
     Bracket bracket{upper, lower};
@@ -241,7 +244,7 @@ COPPICE_LANES Bracket find_bracket(const AxisEnds& ends, float lower, float uppe
     return bracket;
 }
 
-// The planes that come into question, filled up to whole vectors.
+// The candidate planes, padded to whole vectors.
 struct Candidates {
     std::array<float, 2 * small_node_capacity + lane_count> position;
     std::size_t count = 0;
@@ -268,7 +271,7 @@ COPPICE_LANES void list_candidates(const AxisEnds& ends, const CostTerms& terms,
 
 template <typename Sum>
 COPPICE_LANES BestPlane best_plane_by(const AxisEnds& ends, const CostTerms& terms) noexcept {
-    constexpr std::size_t few = 16;  // ends of so many PrimRefs are sooner all evaluated
+    constexpr std::size_t few = 16;  // for fewer PrimRefs, evaluating all ends is faster
     const LaneTerms lane_terms(terms);
     LaneBest best;
     if (ends.count <= few) {

@@ -10,13 +10,13 @@ namespace coppice::inline v0::bvh8 {
 
 inline constexpr std::size_t slab_count = 16;
 
-/// A plane across an axis.
+/// A plane perpendicular to an axis, by the axis's index.
 struct CutPlane {
     std::size_t axis;
     float position;
 };
 
-/// Equal slabs of a box on each axis.
+/// A division of a box into equal slabs on each axis.
 struct Slabs {
     explicit Slabs(const Box8& box) noexcept {
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -27,14 +27,14 @@ struct Slabs {
         }
     }
 
-    /// The slab that a place of the box is in.
+    /// The slab that contains a position.
     [[nodiscard]] std::size_t at(std::size_t axis, float place) const noexcept {
         constexpr auto last = static_cast<float>(slab_count - 1);
         const float slab = (place - lower[axis]) * per_width[axis];
         return static_cast<std::size_t>(slab < last ? slab : last);
     }
 
-    /// The plane below a slab.
+    /// The plane at the lower border of a slab.
     [[nodiscard]] CutPlane below(std::size_t axis, std::size_t slab) const noexcept {
         return {axis, lower[axis] + static_cast<float>(slab) * width[axis]};
     }
@@ -44,12 +44,12 @@ struct Slabs {
     std::array<float, 3> per_width;
 };
 
-/// What is in each slab of an axis: the box of all pieces of triangles, and how many triangles
-/// begin and end there.
+/// The contents of each slab of an axis: the box of all pieces of triangles, and the numbers of
+/// triangles that begin and end there.
 struct SlabContents {
     SlabContents() noexcept { box.fill(Box8::make_empty()); }
 
-    /// Adds what others counted in the same slabs.
+    /// Adds the contents counted by another task.
     void add(const SlabContents& other) noexcept {
         for (std::size_t slab = 0; slab < slab_count; ++slab) {
             box[slab].grow(other.box[slab]);

@@ -1,6 +1,7 @@
-// Cutting triangles at planes, on eight lanes: the inner loops of the 8-wide builder that divide
-// PrimRefs by planes. A point's lanes are its coordinates negated and as they are, so that one
-// maximum puts it into a box. Source: [Stich2009] sec. 4.2.
+// The inner loops of the 8-wide builder that divide PrimRefs by planes, on eight lanes. They clip
+// triangles at planes. The lanes of a point are its negated coordinates and its coordinates, so
+// that one maximum extends a box by it.
+// Source: [Stich2009] sec. 4.2.
 
 #include "simd/set.h"
 
@@ -36,7 +37,8 @@ struct Corner {
     Lanes lanes;
 };
 
-// A triangle's corners, and more than rounding can move a point that is calculated between two.
+// A triangle's corners, and an upper bound of the rounding error of a point interpolated between
+// two of them.
 struct CutTriangle {
     explicit CutTriangle(const MeshArrays& mesh, std::uint32_t id) noexcept {
         for (std::size_t at = 0; at < 3; ++at) {
@@ -53,7 +55,7 @@ struct CutTriangle {
     Lanes slack;
 };
 
-// The corners in their order on an axis.
+// The corners sorted by their position on an axis.
 struct CornersAlong {
     CornersAlong(const CutTriangle& triangle, std::size_t axis) noexcept {
         for (std::size_t at = 0; at < 3; ++at) {
@@ -73,7 +75,7 @@ struct CornersAlong {
     std::array<std::size_t, 3> index{0, 1, 2};
 };
 
-// The parts of a box on either side of a plane.
+// The parts of a box on both sides of a plane.
 struct Parts {
     Lanes lower;
     Lanes upper;
@@ -87,7 +89,8 @@ inline Lanes or_empty(Lanes box) noexcept {
     return has_extent(box) ? box : load_box(empty_box);
 }
 
-// What a triangle needs of a box on either side of a plane; empty if it needs nothing.
+// The boxes of a triangle's parts on both sides of a plane, within `box`; empty if there is no
+// part.
 inline Parts cut(Lanes box, const CutTriangle& triangle, const CornersAlong& along,
                  CutPlane plane) noexcept {
     const auto [first, middle, last] = along.place;
@@ -146,8 +149,8 @@ void bin_pieces(std::span<const PrimRef> prim_refs, std::size_t stride, const Me
     }
 }
 
-// A PrimRef that the plane does not cut, or that needs nothing on one side of it, is whole on the
-// other.
+// The boxes of a PrimRef's parts on both sides of a plane. A PrimRef that the plane does not cut,
+// or whose part on one side is empty, is whole on the other side.
 inline Parts pieces_of(const PrimRef& prim_ref, const MeshArrays& mesh, CutPlane plane) noexcept {
     const Lanes box = lanes_of(prim_ref);
     const Lanes none = load_box(empty_box);

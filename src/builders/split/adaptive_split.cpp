@@ -1,9 +1,10 @@
-// The heuristic's cost is smooth but for the counts of PrimRefs on both sides. They are sampled at
-// 8 evenly spaced planes an axis; 8 more planes are put where, by linear interpolation, the counts'
-// difference passes evenly spaced values, so that there are many where it changes fast. The best of
-// the 16 is taken. Small nodes are searched exactly. The original minimizes a quadratic interpolant
-// between planes; here the planes themselves are the candidates.
-// Cost: O(n) a node. Source: [Hunt2006] sec. 3.
+// Adaptive sampling of the cost. The cost is smooth except for the counts of PrimRefs on both
+// sides. The counts are sampled at 8 evenly spaced planes an axis. 8 more planes are placed where,
+// by linear interpolation, the difference of the counts passes evenly spaced values: many where it
+// changes fast. The best of the 16 planes is chosen. Small nodes are searched exactly. The original
+// minimizes a quadratic interpolant between planes; here the planes themselves are the candidates.
+// Cost: O(n) a node.
+// Source: [Hunt2006] sec. 3.
 
 #include "builders/split/adaptive_split.h"
 
@@ -34,8 +35,8 @@ Positions even_positions(const Aabb& box, Axis axis) noexcept {
 
 Counts count_at(const Positions& positions, std::span<const PrimRef> prim_refs,
                 Axis axis) noexcept {
-    std::array<double, plane_count + 1> starts{};  // by the number of planes at or below
-    std::array<double, plane_count + 1> ends{};    // by the number of planes below
+    std::array<double, plane_count + 1> starts{};  // indexed by the number of planes at or below
+    std::array<double, plane_count + 1> ends{};    // indexed by the number of planes below
     for (const PrimRef& prim_ref : prim_refs) {
         unsigned before_start = 0;
         unsigned before_end = 0;
@@ -56,12 +57,12 @@ Counts count_at(const Positions& positions, std::span<const PrimRef> prim_refs,
     return counts;
 }
 
-// Where the difference of the counts, -weight at the lower end of the box and weight at the upper,
-// passes evenly spaced values.
+// The positions where the difference of the counts passes evenly spaced values. It is -weight at
+// the lower end of the box and weight at the upper end.
 Positions adapted_positions(const Aabb& box, Axis axis, const Positions& even, const Counts& counts,
                             double weight) noexcept {
     Positions positions;
-    std::size_t next = 0;  // even position, or the box's upper end
+    std::size_t next = 0;  // next even position, or the box's upper end
     double at = box.lower[axis];
     double difference = -weight;
     for (std::size_t i = 0; i < plane_count; ++i) {
@@ -86,7 +87,7 @@ Positions adapted_positions(const Aabb& box, Axis axis, const Positions& even, c
     return positions;
 }
 
-// The cheapest of some planes so far.
+// The cheapest plane so far.
 struct Best {
     std::optional<SplitPlane> plane;
     double cost = 0.0;

@@ -4,8 +4,8 @@
 
 namespace coppice::inline v0 {
 
-/// The cheapest of 8 evenly spaced planes an axis and 8 where the counts change most; of all
-/// PrimRef ends in small nodes.
+/// The rule "adaptive": the cheapest of 8 evenly spaced planes an axis and 8 planes where the
+/// counts change most. In small nodes, the cheapest of all PrimRef ends.
 class AdaptiveSplit final : public SplitFinder {
 public:
     [[nodiscard]] std::optional<SplitCandidate> find(const SplitQuery& query) const override;

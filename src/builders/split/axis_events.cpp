@@ -1,5 +1,6 @@
-// One pass over the sorted events of an axis gives the counts on both sides of every plane at one.
-// Cost: O(n log n), for the sort. Source: [WaldHavran2006] sec. 4.2, [Pharr2016] sec. 4.4.2.
+// One pass over the sorted events of an axis gives the counts on both sides of the plane at every
+// event. Cost: O(n log n) for the sort.
+// Source: [WaldHavran2006] sec. 4.2, [Pharr2016] sec. 4.4.2.
 
 #include "builders/split/axis_events.h"
 
@@ -14,7 +15,7 @@
 namespace coppice::inline v0 {
 namespace {
 
-// Walks through the events of one kind.
+// Iterates over the events of one kind.
 class EventCursor {
 public:
     explicit EventCursor(std::span<const std::uint64_t> keys) noexcept : keys_(keys) {}
@@ -23,7 +24,8 @@ public:
         return passed_ < keys_.size() ? position_of(keys_[passed_]) : Aabb::infinity;
     }
 
-    // Passes all events at `position`, the next of all kinds; returns their weight.
+    // Passes all events at `position`, which must be the next position of all kinds. Returns their
+    // weight.
     double pass(float position) noexcept {
         double weight = 0.0;
         while (passed_ < keys_.size() && position_of(keys_[passed_]) == position) {
@@ -67,7 +69,7 @@ void sweep_events(AxisEvents& events, const PlaneEvaluator& evaluator, SplitCoun
         look.at(step);
         const float position = std::min({starts.next(), ends.next(), planars.next()});
         if (position == Aabb::infinity) return;
-        // At the plane: what ends here is below it, what starts here is above.
+        // PrimRefs that end at the plane are below it, those that start there above it.
         counts.above -= ends.pass(position);
         counts.in_plane = planars.pass(position);
         counts.above -= counts.in_plane;

@@ -10,16 +10,17 @@
 
 namespace coppice::inline v0 {
 
-/// Ends of PrimRefs on one axis as sort_key()s, by kind. A flat PrimRef is one planar event.
+/// The ends of PrimRefs on one axis as sort_key()s, separated by kind. A flat PrimRef is one planar
+/// event.
 struct AxisEvents {
     std::vector<std::uint64_t> starts;
     std::vector<std::uint64_t> ends;
     std::vector<std::uint64_t> planars;
 
-    /// Both ends of a PrimRef.
+    /// Adds both ends of a PrimRef.
     void add(const PrimRef& prim_ref, Axis axis);
 
-    /// Some of the ends of a PrimRef.
+    /// Adds the chosen ends of a PrimRef.
     void add(const PrimRef& prim_ref, Axis axis, bool with_start, bool with_end);
 
     [[nodiscard]] std::size_t count() const noexcept {
@@ -27,8 +28,8 @@ struct AxisEvents {
     }
 };
 
-/// Offers the split at every event inside the node. `counts`: what is below and above a plane
-/// before the first event. Sorts the events.
+/// Offers the split at every event inside the node to `best`. `counts` holds the weights below and
+/// above a plane before the first event. Sorts the events.
 void sweep_events(AxisEvents& events, const PlaneEvaluator& evaluator, SplitCounts counts,
                   BestSplit& best);
 

@@ -7,15 +7,15 @@
 
 namespace coppice::inline v0 {
 
-/// The cheapest of the splits offered; of equal ones the first by axis, then by position. So the
-/// choice does not depend on the order in which they are offered.
+/// Keeps the cheapest of the offered splits; of equal ones the first by axis, then by position. So
+/// the result does not depend on the order of offers.
 class BestSplit {
 public:
     void offer(const SplitCandidate& split) noexcept {
         if (!best_ || is_before(split, *best_)) best_ = split;
     }
 
-    /// Infinite if nothing was offered.
+    /// The cost of the cheapest split; infinite if there is none.
     [[nodiscard]] double cost() const noexcept {
         return best_ ? best_->cost : std::numeric_limits<double>::infinity();
     }

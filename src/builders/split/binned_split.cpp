@@ -1,9 +1,9 @@
-// Where there are many PrimRefs, counting them in bins finds about the best plane at a fraction of
-// a sweep's cost. Beside their number, each bin knows its first start and its last end: planes
-// there have the boundary's counts and a better place, and cut off empty space. The best of all
-// axes is then moved to the best end near by: there fewer PrimRefs straddle it, which makes the
-// tree both cheaper and faster to build. Cost: O(n) a node. Source: [Shevtsov2007] sec. 3 (min-max
-// bins); the ends and the snap are this project's own.
+// Binned SAH. With many PrimRefs, counting them in bins finds nearly the best plane at a fraction
+// of a sweep's cost. Each bin also stores its first start and its last end. Planes there have the
+// boundary's counts and a better position, and cut off empty space. The best plane of all axes is
+// then moved to the best end nearby. Fewer PrimRefs cross a plane at an end, which makes the tree
+// both cheaper and faster to build. Cost: O(n) a node.
+// Source: [Shevtsov2007] sec. 3 (min-max bins); the ends and the snap are this project's own.
 
 #include "builders/split/binned_split.h"
 

@@ -4,8 +4,8 @@
 
 namespace coppice::inline v0 {
 
-/// A plane among the cheapest of all three axes: of bin boundaries in large nodes, then the best
-/// PrimRef end near by; of all ends in small nodes.
+/// The rule "binned": in large nodes, the cheapest bin boundary of all three axes, moved to the
+/// best PrimRef end nearby. In small nodes, the cheapest of all PrimRef ends.
 class BinnedSplit final : public SplitFinder {
 public:
     [[nodiscard]] std::optional<SplitCandidate> find(const SplitQuery& query) const override;

@@ -7,21 +7,22 @@
 
 namespace coppice::inline v0 {
 
-/// The weight of a node's PrimRefs on either side of a plane and in it. Those across it count on
-/// both sides. Sums of weights are exact.
+/// The weights of a node's PrimRefs below, above and in a plane. PrimRefs across it count on both
+/// sides. Sums of weights are exact.
 struct SplitCounts {
     double below = 0.0;
     double above = 0.0;
     double in_plane = 0.0;
 };
 
-/// Costs of planes perpendicular to one axis of one node; the areas are linear in the position.
+/// Evaluates the costs of planes perpendicular to one axis of one node. The children's areas are
+/// linear in the position.
 class PlaneEvaluator {
 public:
     PlaneEvaluator(const Aabb& box, Axis axis, const SahCostModel& cost) noexcept
         : PlaneEvaluator(box, axis, cost, 1.0 / box.surface_area()) {}
 
-    /// The same with the inverse of the box's area known.
+    /// As above, with the inverse of the box's area already computed.
     PlaneEvaluator(const Aabb& box, Axis axis, const SahCostModel& cost,
                    double inverse_area) noexcept
         : axis_(axis),
@@ -40,8 +41,8 @@ public:
                   cost.intersection * (1.0 - cost.empty_bonus)};
     }
 
-    /// The split at a position, with the PrimRefs in the plane on the cheaper side; below if
-    /// equal.
+    /// The split at a position. PrimRefs in the plane go to the cheaper side, below if both cost
+    /// the same.
     [[nodiscard]] SplitCandidate evaluate(float position,
                                           const SplitCounts& counts) const noexcept {
         const double at = position;
@@ -62,16 +63,16 @@ public:
                    : SplitCandidate{plane, PlanarSide::below, cost_if_below};
     }
 
-    /// True for positions strictly inside the box: all that may be split at.
+    /// True for positions strictly inside the box, where a split is allowed.
     [[nodiscard]] bool is_inside(float position) const noexcept {
-        return (position > lower_) & (position < upper_);  // mostly unpredictable: no branch
+        return (position > lower_) & (position < upper_);  // unpredictable, so without a branch
     }
 
-    /// What evaluate() computes with, for kernels; not where the cost model is a custom one.
+    /// The terms that evaluate() computes with, for kernels. Not valid for custom cost models.
     [[nodiscard]] const CostTerms& terms() const noexcept { return terms_; }
 
 private:
-    // SahCostModel::split_cost(), bit for bit.
+    // Equals SahCostModel::split_cost() to the bit.
     [[nodiscard]] double cost_of(double p_below, double count_below, double p_above,
                                  double count_above) const noexcept {
         if (custom_ != nullptr) {
@@ -87,11 +88,11 @@ private:
     Axis axis_;
     float lower_;
     float upper_;
-    const CostModel* custom_;  // null: by the terms
+    const CostModel* custom_;  // null if the terms apply
     CostTerms terms_;
 };
 
-/// The split of a node at a given plane, strictly inside its box; O(PrimRefs).
+/// The split of a node at a given plane, which must be strictly inside its box. O(PrimRefs).
 [[nodiscard]] SplitCandidate evaluate_plane(const SplitQuery& query, SplitPlane plane) noexcept;
 
 }  // namespace coppice::inline v0

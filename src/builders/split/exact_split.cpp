@@ -1,5 +1,5 @@
-// The surface area heuristic without a compromise: every PrimRef end on every axis is considered.
-// Cost: O(n log n) a node; for whole trees src/builders/kd/exact/ finds the same planes in O(n).
+// The surface area heuristic evaluated at every PrimRef end on every axis. Cost: O(n log n) a node;
+// for whole trees, src/builders/kd/exact/ finds the same planes in O(n) a node.
 // Source: [WaldHavran2006] sec. 4.2.
 
 #include "builders/split/exact_split.h"

@@ -4,7 +4,8 @@
 
 namespace coppice::inline v0 {
 
-/// The cheapest plane of all three axes; of equal ones the first by axis, then by position.
+/// The rule "exact": the cheapest plane of all three axes; of equal ones the first by axis, then by
+/// position.
 class ExactSplit final : public SplitFinder {
 public:
     [[nodiscard]] std::optional<SplitCandidate> find(const SplitQuery& query) const override;

@@ -1,5 +1,6 @@
-// Median cut: as many PrimRefs below the plane as above it, the classic k-d tree.
-// Cost: O(n) a node. Source: [Tsiompikas2022] sec. 2.2, [Bentley1975].
+// Median cut, the classic k-d tree: as many PrimRefs below the plane as above it. Cost: O(n) a
+// node.
+// Source: [Tsiompikas2022] sec. 2.2, [Bentley1975].
 
 #include "builders/split/median_split.h"
 

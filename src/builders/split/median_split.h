@@ -4,7 +4,8 @@
 
 namespace coppice::inline v0 {
 
-/// The plane through the median of the PrimRefs' centers, on the longest axis that has one inside.
+/// The rule "median": the plane through the median of the PrimRefs' centers, on the longest axis
+/// where that is inside the node.
 class MedianSplit final : public SplitFinder {
 public:
     [[nodiscard]] std::optional<SplitCandidate> find(const SplitQuery& query) const override;

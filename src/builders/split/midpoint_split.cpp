@@ -1,5 +1,5 @@
-// Spatial midpoint: halves the node's longest axis, whatever is in it.
-// Cost: O(n) a node, for the counts. Source: [Tsiompikas2022] sec. 2.2.
+// Spatial midpoint: halves the node on its longest axis. Cost: O(n) a node, for the counts.
+// Source: [Tsiompikas2022] sec. 2.2.
 
 #include "builders/split/midpoint_split.h"
 

@@ -4,7 +4,7 @@
 
 namespace coppice::inline v0 {
 
-/// The plane through the middle of the node, on its longest axis.
+/// The rule "midpoint": the plane through the middle of the node on its longest axis.
 class MidpointSplit final : public SplitFinder {
 public:
     [[nodiscard]] std::optional<SplitCandidate> find(const SplitQuery& query) const override;

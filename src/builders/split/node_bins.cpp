@@ -16,7 +16,7 @@ std::optional<BinGrid> bin_grid(const Aabb& box) noexcept {
     BinGrid grid{box.lower, {}};
     for (const Axis axis : all_axes) {
         const double extent = box.extent(axis);
-        if (extent == 0.0) continue;  // all in the first bin
+        if (extent == 0.0) continue;  // everything is in the first bin
         if (extent < 1e-30 || extent > 1e30) return std::nullopt;
         grid.bins_per_unit[axis] = static_cast<float>(static_cast<double>(bin_count) / extent);
     }
@@ -83,7 +83,7 @@ BinnedPlane best_end(const AxisBins& bins, SplitCounts before, const PlaneEvalua
     for (std::size_t bin = 0; bin <= bin_count; ++bin) {
         const bool has_start = evaluator.is_inside(next_start[bin]);
         const bool has_end = evaluator.is_inside(last_end);
-        // Where more reaches above, the cost falls on the way to the next start.
+        // If more weight reaches above than below, the cost falls towards the next start.
         const bool takes_start = has_start && (!has_end || counts.below <= counts.above);
         if (takes_start || has_end) {
             const float position = (takes_start ? next_start[bin] : last_end) + 0.0F;

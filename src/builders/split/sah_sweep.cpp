@@ -1,6 +1,6 @@
-// The thesis's rule: the longest axis is swept first and the others only where it has no acceptable
-// split. This is pbrt's scheme, not the minimum over all three axes.
-// Cost: O(n log n) a node and axis.
+// The thesis's rule: sweeps the longest axis first, and another axis only if that has no acceptable
+// split. This is pbrt's scheme, not the minimum over all three axes. Cost: O(n log n) a node and
+// axis.
 // Source: [Tsiompikas2022] sec. 4.3.1, [Pharr2016] sec. 4.4.2.
 
 #include "builders/split/sah_sweep.h"

@@ -4,8 +4,8 @@
 
 namespace coppice::inline v0 {
 
-/// The plane of least cost among all PrimRef ends, on the longest axis; on the others if that
-/// axis has none to offer.
+/// The rule "sah": the cheapest plane among all PrimRef ends on the longest axis; on another axis
+/// only if that has none.
 class SahSweep final : public SplitFinder {
 public:
     [[nodiscard]] std::optional<SplitCandidate> find(const SplitQuery& query) const override;

@@ -1,6 +1,6 @@
-// Small nodes are searched exactly without sorting: their ends strictly inside the node are
-// candidate planes, and a vector kernel counts what lies on either side of each.
-// Cost: O(n^2 / 8) for n PrimRefs, on each axis.
+// Searches small nodes exactly without sorting. All ends strictly inside the node are candidate
+// planes, and a vector kernel counts the PrimRefs on both sides of each. Cost: O(n^2 / 8) for n
+// PrimRefs, on each axis.
 
 #include "builders/split/small_node.h"
 
@@ -14,7 +14,7 @@
 namespace coppice::inline v0 {
 namespace {
 
-// The PrimRefs of a node, each number in an array of its own.
+// The PrimRefs of a node as a structure of arrays.
 class NodeEnds {
 public:
     explicit NodeEnds(std::span<const PrimRef> prim_refs) noexcept : count_(prim_refs.size()) {
@@ -37,7 +37,7 @@ public:
             weight_sum += prim_ref.weight;
         }
         has_planar_ = has_planar;
-        are_weights_one_ = weight_sum == static_cast<float>(count_);  // none is less than one
+        are_weights_one_ = weight_sum == static_cast<float>(count_);  // weights are at least 1
         pad();
     }
 
@@ -50,7 +50,7 @@ public:
 private:
     using Numbers = std::array<float, small_node_capacity>;
 
-    // Fills up the last vector.
+    // Pads the arrays to whole vectors.
     void pad() noexcept {
         for (std::size_t i = count_; i % 8 != 0; ++i) {
             for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -72,7 +72,7 @@ private:
 }  // namespace
 
 std::optional<SplitCandidate> find_in_small_node(const SplitQuery& query) {
-    if (query.cost.custom) return sweep_all_axes(query);  // the kernels have one formula
+    if (query.cost.custom) return sweep_all_axes(query);  // the kernels have a fixed formula
     const NodeEnds ends(query.prim_refs);
     const KdKernels& kernels = kd_kernels_for(query.isa);
     const double inverse_area = 1.0 / query.box.surface_area();
@@ -89,7 +89,7 @@ std::optional<SplitCandidate> find_in_small_node(const SplitQuery& query) {
     if (best.cost == std::numeric_limits<double>::infinity()) return std::nullopt;
     const SplitPlane plane{best_axis, best.position};
     if (!ends.on(best_axis).has_planar) return SplitCandidate{plane, PlanarSide::below, best.cost};
-    return evaluate_plane(query, plane);  // which side those in the plane are on
+    return evaluate_plane(query, plane);  // for the side of PrimRefs in the plane
 }
 
 }  // namespace coppice::inline v0

@@ -1,6 +1,6 @@
-// Collects the PrimRef ends in the bins around a boundary and sweeps them, the counts before them
-// known from the bins. Where there are many, they are first counted in finer bins, and only those
-// around the best boundary of these are swept. Cost: O(n), and a sort of few events.
+// Collects the PrimRef ends in the bins around a boundary and sweeps them. The counts before them
+// are known from the bins. If there are many ends, they are first counted in finer bins, and only
+// those around the best finer boundary are swept. Cost: O(n), and a sort of few events.
 
 #include "builders/split/snap.h"
 
@@ -18,10 +18,11 @@ struct Window {
     float origin;
     float bins_per_unit;
     std::size_t first_bin;
-    SplitCounts outside;       // what reaches below the window, and above it
-    double ends_within = 0.0;  // the weight of the PrimRefs that end in it
+    SplitCounts outside;       // weights that reach below and above the window
+    double ends_within = 0.0;  // weight of the PrimRefs that end in the window
 
-    // The bins before and after a boundary. `beyond`: what reaches below and above all bins.
+    // The window of the bins before and after a boundary. `beyond` holds the weights that reach
+    // below and above all bins.
     Window(Axis on, float position, float scale, const AxisBins& bins, std::size_t boundary,
            const SplitCounts& beyond)
         : axis(on),
@@ -43,7 +44,7 @@ struct Window {
     }
 };
 
-// The best two bins of 32 that a window is divided into.
+// Divides a window into 32 bins and returns the window of the two around the best boundary.
 Window narrowed(const Window& window, const SplitQuery& query, const PlaneEvaluator& evaluator) {
     constexpr std::size_t bins_of_each = bin_count / 2;
     constexpr auto finer = static_cast<float>(bins_of_each);
@@ -65,7 +66,7 @@ Window narrowed(const Window& window, const SplitQuery& query, const PlaneEvalua
     return {window.axis, origin, bins_per_unit, bins, boundary, window.outside};
 }
 
-// Offers the splits at all ends that a predicate holds for, all of them in a window.
+// Offers the splits at all ends for which `is_near` is true, and which are in the window.
 template <typename IsNear>
 void sweep_window(const SplitQuery& query, const Window& window, const PlaneEvaluator& evaluator,
                   IsNear&& is_near, BestSplit& best) {

@@ -6,7 +6,7 @@
 
 namespace coppice::inline v0 {
 
-/// The cheapest split near the one that best_end() found in the bins of a whole axis.
+/// The cheapest split near the one that best_end() found in the bins of an axis.
 [[nodiscard]] SplitCandidate snap(const SplitQuery& query, const BinGrid& grid,
                                   const AxisBins& bins, const BinnedPlane& coarse);
 

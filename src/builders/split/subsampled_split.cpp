@@ -1,7 +1,7 @@
-// In large nodes a part of the PrimRefs, evenly spaced in the node's order, is enough to see where
-// the best plane is about: they are counted in bins, and the cheapest bin boundary is taken. What
-// it costs is then counted with all PrimRefs. Small nodes are searched exactly.
-// Cost: O(1024) a node for the search, O(n) for the count.
+// Subsampled binning. In large nodes, a part of the PrimRefs, evenly spaced in the node's order,
+// suffices to find a plane near the best. They are counted in bins, and the cheapest bin boundary
+// is chosen. Its cost is then computed with all PrimRefs. Small nodes are searched exactly. Cost:
+// O(1024) a node for the search, O(n) for the final count.
 // Source: [Shevtsov2007] sec. 3.3 (min-max bins, sub-sampled geometry).
 
 #include "builders/split/subsampled_split.h"

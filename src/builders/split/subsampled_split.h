@@ -4,8 +4,9 @@
 
 namespace coppice::inline v0 {
 
-/// The cheapest bin boundary of all three axes as a part of the node's PrimRefs sees it, priced
-/// with all of them; of all PrimRef ends in small nodes.
+/// The rule "subsampled": in large nodes, the cheapest bin boundary of all three axes for a part of
+/// the PrimRefs, with its cost computed for all of them. In small nodes, the cheapest of all
+/// PrimRef ends.
 class SubsampledSplit final : public SplitFinder {
 public:
     [[nodiscard]] std::optional<SplitCandidate> find(const SplitQuery& query) const override;

@@ -1,10 +1,10 @@
 // Lower bounds of squared distances, eight at a time: from a point to the boxes of a node's
 // children and to the triangles of a block.
 //
-// Everything is scaled by a power of two to coordinates of about 1, so that squares neither
-// overflow nor vanish. A bound is never more than the distance that closest_point() finds in
-// double: all that rounding can do, here and there, is taken off it or, where it is relative, put
-// onto the limit that bounds are compared with.
+// All coordinates are scaled by a power of two to a magnitude of about 1, so that squares neither
+// overflow nor underflow. A bound never exceeds the distance that closest_point() finds in double.
+// To ensure that, the rounding errors of both computations are subtracted from the bound; relative
+// errors are added to the limit that bounds are compared with.
 
 #include "simd/set.h"
 
@@ -34,7 +34,7 @@ namespace COPPICE_SIMD_SET {
 
 using namespace simd::COPPICE_SIMD_SET;
 
-// The point to search from, scaled with the scene to coordinates of about 1.
+// The query point, scaled with the scene to coordinates of about 1.
 class ScaledPoint {
 public:
     ScaledPoint(Vec3f point, const Aabb& bounds) noexcept
@@ -44,9 +44,9 @@ public:
 
     [[nodiscard]] Vec3f at() const noexcept { return at_; }
 
-    // A squared distance in these units, rounded up: by more than all that bounds are off.
+    // A squared distance in scaled units, rounded up by more than the errors of all bounds.
     [[nodiscard]] float scaled_up(double distance_squared) const noexcept {
-        constexpr double utmost = 0x1.0p30;  // farther than anything; empty slots are at infinity
+        constexpr double utmost = 0x1.0p30;  // above any distance; empty slots are at infinity
         const double scaled = distance_squared * scale_ * scale_;
         return static_cast<float>(std::min(scaled, utmost)) * (1.0F + 0x1.0p-18F) + 0x1.0p-110F;
     }
@@ -66,9 +66,9 @@ private:
     Vec3f at_;
 };
 
-// Lower bounds of the squared distances to the boxes of all children. Each may be off by the
-// rounding of a few operations in float; closest_point() may be off by that of doubles, of which
-// the subtrahend takes care. Empty slots are at infinity.
+// Lower bounds of the squared distances to the boxes of all children. The subtrahend covers the
+// float rounding of these operations and the double rounding of closest_point(). Empty slots are at
+// infinity.
 inline Lanes bound_boxes(const Bvh8Node& node, const ScaledPoint& point) noexcept {
     constexpr float rounding = 0x1.0p-44F;
     const Lanes scale = broadcast(point.scale());
@@ -84,7 +84,7 @@ inline Lanes bound_boxes(const Bvh8Node& node, const ScaledPoint& point) noexcep
     return x * x + (y * y + z * z);
 }
 
-// The points of edges closest to the origin.
+// The points of eight edges that are closest to the origin.
 inline Lanes3 closest_on_edge(const Lanes3& from, const Lanes3& to) noexcept {
     const Lanes nothing = broadcast(0.0F);
     const Lanes one = broadcast(1.0F);
@@ -98,8 +98,8 @@ inline Lanes sum_of_abs(const Lanes3& v) noexcept {
     return abs(v.x) + (abs(v.y) + abs(v.z));
 }
 
-// The corners of eight triangles, as seen from the point, and more than what rounding does to a
-// distance from it along a direction of length 1.
+// The corners of eight triangles relative to the query point, and an upper bound of the rounding
+// error of a distance along a unit direction.
 struct Corners {
     Lanes3 a;
     Lanes3 b;
@@ -107,8 +107,8 @@ struct Corners {
     Lanes rounding;
 };
 
-// Lower bounds of the squared distances of triangles from the origin: how far they are along a
-// direction. Any direction will do, that of the closest point is best.
+// Lower bounds of the squared distances of eight triangles from the origin: their distances along a
+// direction. Any direction gives a valid bound; that of the closest point gives the best.
 inline Lanes bound_along(const Lanes3& direction, const Corners& corners) noexcept {
     const Lanes nothing = broadcast(0.0F);
     const Lanes size = sum_of_abs(direction);
@@ -128,9 +128,9 @@ inline Lanes3 shorter(const Lanes3& a, const Lanes3& b) noexcept {
     return {select(is_first, a.x, b.x), select(is_first, a.y, b.y), select(is_first, a.z, b.z)};
 }
 
-// Lower bounds of the squared distances to the triangles of a block: along the direction of the
-// closest point of their edges, and along their normal if that is more. Lanes without a triangle
-// have any.
+// Lower bounds of the squared distances to the triangles of a block: the greater of the bounds
+// along the direction of their edges' closest point and along their normal. Lanes without a
+// triangle have arbitrary values.
 inline Lanes bound_triangles(const TriangleBlock& block, const ScaledPoint& point) noexcept {
     const Lanes scale = broadcast(point.scale());
     const Lanes3 origin = broadcast3(point.at());

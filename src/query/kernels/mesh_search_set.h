@@ -1,11 +1,11 @@
-// Search of the 8-wide tree for what is near a point, or in a box.
+// Searches of the 8-wide tree near a point and in a box.
 //
-// Near a point: branch and bound, nearest box first. Distances to boxes and triangles are bounded
-// from below in float, eight at a time; what remains, a triangle or two a leaf, is decided in
-// double by closest_point(). So what is found is what brute force finds, on every instruction set.
-// A tree with cells by planes has some triangles in several leaves: of those, the mention in the
-// first block that the query reaches counts. Source: [Roussopoulos1995] sec. 3 and 4 (there depth
-// first with sorted branches, too).
+// Near a point: branch and bound, the nearest box first. Distances to boxes and triangles are
+// bounded from below in float, eight at a time. For the few triangles that remain (one or two a
+// leaf), closest_point() computes the distance in double. So results equal those of brute force on
+// every instruction set. A tree with cells by planes has some triangles in several leaves. Such a
+// triangle is reported for the first block with it that the query reaches.
+// Source: [Roussopoulos1995] sec. 3 and 4 (depth first with sorted branches there, too).
 //
 // Stack: an inner node leaves at most 7 entries, and no node is deeper than Bvh8::max_depth.
 
@@ -60,7 +60,7 @@ inline std::size_t lowest_lane(unsigned mask) noexcept {
     return static_cast<std::size_t>(std::countr_zero(mask));
 }
 
-// Bit i is set if the box of child i overlaps a box.
+// A mask of the children whose boxes overlap `box`: bit i for child i.
 inline unsigned mask_overlapping(const Bvh8Node& node, const Aabb& box) noexcept {
     const auto on = [&](std::size_t row, float lower, float upper) {
         return less_equal(load(node.bound[row]), broadcast(upper)) &
@@ -70,7 +70,8 @@ inline unsigned mask_overlapping(const Bvh8Node& node, const Aabb& box) noexcept
            on(2, box.lower.z, box.upper.z);
 }
 
-// Bit i is set if the box of triangle i overlaps a box; of lanes without a triangle it may be.
+// A mask of the triangles whose boxes overlap `box`: bit i for lane i. Bits of lanes without a
+// triangle are arbitrary.
 inline unsigned mask_overlapping(const TriangleBlock& block, const Aabb& box) noexcept {
     unsigned apart = 0;
     for (const Axis axis : all_axes) {
@@ -84,8 +85,8 @@ inline unsigned mask_overlapping(const TriangleBlock& block, const Aabb& box) no
     return apart ^ all_lanes;
 }
 
-// Calls `visit` with the leaves that a query reaches, until it returns false. `reached_by` gives a
-// mask of the children of a node that the query reaches.
+// Calls `visit` with the leaves that a query reaches, until it returns false. `reached_by(node)`
+// returns the mask of the node's children that the query reaches.
 template <typename ReachedBy, typename Visit>
 inline void visit_leaves(const Bvh8& tree, const ReachedBy& reached_by,
                          const Visit& visit) noexcept {
@@ -95,7 +96,7 @@ inline void visit_leaves(const Bvh8& tree, const ReachedBy& reached_by,
         const Bvh8Node& node = tree.nodes()[stack[--size].node()];
         for (unsigned rest = reached_by(node); rest != 0; rest &= rest - 1) {
             const Bvh8Child child = node.child[lowest_lane(rest)];
-            if (child.is_empty()) break;  // so are all after it
+            if (child.is_empty()) break;  // all after it are empty, too
             if (!child.is_leaf()) {
                 stack[size++] = child;
             } else if (!visit(child)) {
@@ -105,8 +106,8 @@ inline void visit_leaves(const Bvh8& tree, const ReachedBy& reached_by,
     }
 }
 
-// True unless a query that reaches a triangle in one block reaches it in an earlier block, too:
-// asked of triangles in several leaves, so that each is reported once.
+// True if no earlier block with the triangle is reached by the query. Used for triangles in several
+// leaves, so that each is reported once.
 template <typename ReachedBy>
 inline bool is_first_mention(const Bvh8& tree, const ReachedBy& reached_by,
                              const TriangleBlock& block, std::size_t lane) noexcept {
@@ -128,7 +129,7 @@ inline bool is_first_mention(const Bvh8& tree, const ReachedBy& reached_by,
     return is_first;
 }
 
-// What a search for the one nearest triangle keeps.
+// The result of a search for the nearest triangle.
 struct NearestOne {
     SurfaceNeighbor& found;
     double reach;
@@ -144,7 +145,7 @@ struct NearestOne {
     }
 };
 
-// The same for the k nearest.
+// The results of a search for the k nearest triangles.
 struct NearestMany {
     const SearchedMesh& mesh;
     NearestSet<SurfaceNeighbor> found;
@@ -158,7 +159,7 @@ struct NearestMany {
     }
 };
 
-// The same for all within a distance; a limit of -1 ends the search.
+// The results of a search for all triangles within a distance. A limit of -1 ends the search.
 struct AllWithin {
     const SearchedMesh& mesh;
     const ScaledPoint point;
@@ -207,7 +208,7 @@ private:
         Bvh8Child child;
     };
 
-    // The next entry that is near enough, or false.
+    // Pops the next entry within the limit; returns false if there is none.
     bool pop(Entry& at) noexcept {
         while (size_ > 0) {
             at = stack_[--size_];
@@ -216,8 +217,8 @@ private:
         return false;
     }
 
-    // Goes on to the nearest child and leaves the others on the stack, the nearer ones on top;
-    // false if none is near enough.
+    // Descends to the nearest child within the limit and pushes the other ones, the nearest on top.
+    // Returns false if there is none.
     bool step_down(const Bvh8Node& node, Entry& at) noexcept {
         const Lanes bound = bound_boxes(node, point_);
         const unsigned mask = less_equal(bound, broadcast(limit_));
@@ -248,7 +249,7 @@ private:
         }
     }
 
-    // Tests the triangles that may be near enough, the most promising first.
+    // Tests the triangles whose bounds are within the limit, the most promising first.
     void visit_block(const TriangleBlock& block) noexcept {
         const Lanes bound = bound_triangles(block, point_);
         unsigned rest = less_equal(bound, broadcast(limit_)) & lanes_with_triangle(block);

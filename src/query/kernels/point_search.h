@@ -12,10 +12,11 @@
 
 namespace coppice::inline v0 {
 
-/// Points searched at a time. Arrays of coordinates go on for so many beyond the last point.
+/// The number of points that are tested at a time. Coordinate arrays must extend by this many
+/// values beyond the last point.
 inline constexpr std::size_t point_lanes = 8;
 
-/// A k-d tree to search, and its points in the order of its references.
+/// A k-d tree to search, with its points in the order of its references.
 struct SearchedPoints {
     const KdTree& tree;
     const float* x;
@@ -23,8 +24,8 @@ struct SearchedPoints {
     const float* z;
 };
 
-/// The searches of a k-d tree over points for one instruction set. Places are finite, boxes not
-/// empty, spans have room; `limit` is a squared distance.
+/// The searches of a k-d tree over points for one instruction set. Preconditions: query points are
+/// finite, boxes are not empty, and spans have room. `limit` is a squared distance.
 struct PointSearchKernels {
     void (*nearest)(const SearchedPoints&, Vec3f point, double limit, Neighbor&) noexcept;
     std::size_t (*nearest_k)(const SearchedPoints&, Vec3f point, double limit,
@@ -33,7 +34,7 @@ struct PointSearchKernels {
     void (*overlapping)(const SearchedPoints&, const Aabb&, Visitor<std::uint32_t>) noexcept;
 };
 
-/// The searches for an instruction set that this processor has.
+/// The searches for an instruction set, which this processor must support.
 [[nodiscard]] const PointSearchKernels& point_search_kernels_for(Isa isa) noexcept;
 
 }  // namespace coppice::inline v0

@@ -1,13 +1,14 @@
-// Search of a k-d tree over points for what is near a place, or in a box, eight points at a time.
+// Searches of a k-d tree over points near a query point and in a box, eight points at a time.
 //
-// Near a place: the nearer child first, the other waits on a stack with a lower bound of its
-// distance, kept up to date one axis at a time [AryaMount1993]: on the axis of the plane it is the
-// distance to the plane, on the others what it was. Bounds and distances are the same sums of three
-// squares in double; a bound's terms are no larger than those of any point beyond the planes, and
-// rounding keeps order, so no point is passed over that brute force would find, a tie included.
+// Near a point: the nearer child is visited first, and the other is pushed on a stack with a lower
+// bound of its squared distance. The bound is updated one axis at a time [AryaMount1993]: on the
+// axis of the plane it becomes the distance to the plane, on the other axes it stays. Bounds and
+// distances are the same sums of three squares in double. A bound's terms are at most those of any
+// point beyond the planes, and rounding preserves order. So no point is skipped that brute force
+// would find, ties included.
 //
-// Stack: one entry a level at most, and no leaf is deeper than KdTree::max_depth; the next entry is
-// written before it is known whether it counts.
+// Stack: at most one entry per level, and no leaf is deeper than KdTree::max_depth. One more entry
+// is needed because it is written before it is known whether it counts.
 
 #include "simd/set.h"
 
@@ -43,10 +44,10 @@ using namespace simd::COPPICE_SIMD_SET;
 
 constexpr std::size_t max_stack = static_cast<std::size_t>(KdTree::max_depth) + 1;
 
-// Squared distances of eight points, in halves.
+// The squared distances of eight points, in two registers of four.
 class PointDistances {
 public:
-    // Of the points from `first` on.
+    // Computes them for the eight points from `first` on.
     PointDistances(const SearchedPoints& points, std::size_t first,
                    const std::array<double, 3>& from) noexcept {
         const Lanes x = load_unaligned(points.x + first);
@@ -56,7 +57,7 @@ public:
         upper_ = measure(upper_half(x), upper_half(y), upper_half(z), from);
     }
 
-    // Bit i is set if the distance of point i is at most `limit`.
+    // A mask of the points whose squared distance is at most `limit`: bit i for point i.
     [[nodiscard]] unsigned mask_within(double limit) const noexcept {
         const Doubles limits = broadcast_double(limit);
         return less_equal(lower_, limits) | less_equal(upper_, limits) << half_count;
@@ -81,7 +82,7 @@ private:
     Doubles upper_;
 };
 
-// What a search for the one nearest point keeps.
+// The result of a search for the nearest point.
 struct NearestOne {
     Neighbor& found;
     double reach;
@@ -96,7 +97,7 @@ struct NearestOne {
     }
 };
 
-// The same for all within a distance; a limit of -1 ends the search.
+// The results of a search for all points within a distance. A limit of -1 ends the search.
 struct AllWithin {
     Visitor<Neighbor> visit;
     double reach;
@@ -130,7 +131,7 @@ public:
     }
 
 private:
-    using Squares = std::array<double, 3>;  // of the distances to a node, axis by axis
+    using Squares = std::array<double, 3>;  // of the distances to a node's cell on each axis
 
     struct Entry {
         Squares squares;
@@ -155,7 +156,7 @@ private:
         return root;
     }
 
-    // The next entry that is near enough, or false.
+    // Pops the next entry within the limit; returns false if there is none.
     bool pop(Entry& at) noexcept {
         while (size_ > 0) {
             if (stack_[--size_].bound > keeper_.limit()) continue;
@@ -165,7 +166,7 @@ private:
         return false;
     }
 
-    // Goes on to the nearer child and leaves the other on the stack if it is near enough.
+    // Descends to the nearer child and pushes the other one if it is within the limit.
     void step_down(Entry& at) noexcept {
         const KdNode& node = nodes_[at.node];
         const auto axis = static_cast<std::size_t>(node.axis());

@@ -1,15 +1,15 @@
-// How a ray meets the eight children of an 8-wide node.
+// Intersection of a ray with the boxes of an 8-wide node's children.
 //
-// All eight boxes are cut with the ray at once, and intervals are widened by more than rounding can
-// do to them [Ize2013], so that no box which the ray touches is passed over. Two ways:
-// - FastRay, for nearly all rays: t = bound * inverse - origin * inverse, one operation a plane.
-//   The difference may cancel: its error is relative to origin * inverse, so that boxes are in
-//   effect widened by 8 units of rounding of the origin's coordinates, besides those of t.
-// - RobustRay, for the others: t = (bound - origin) * inverse, which is exact to 3 units of
-//   rounding for any origin. A direction component of zero (or -0) gives infinite distances, or NaN
-//   where the origin lies in the plane of a face; minimum and maximum then take their second
-//   argument, so such a face does not cut. Of distances of either sign, as a t_min below 0 allows,
-//   both ends are widened.
+// All eight boxes are tested at once. Intervals are widened by more than the rounding error
+// [Ize2013], so that no box which the ray touches is skipped. There are two traversals:
+// - FastRay, for nearly all rays: t = bound * inverse - origin * inverse, one fused operation a
+//   plane. The difference may cancel, so its error is relative to origin * inverse. In effect,
+//   boxes are widened by 8 rounding units of the origin's coordinates, besides those of t.
+// - RobustRay, for all other rays: t = (bound - origin) * inverse, with an error of 3 rounding
+//   units for any origin. A direction component of zero (or -0) gives infinite distances, or NaN
+//   where the origin lies in the plane of a face. Minimum and maximum then return their second
+//   argument, so that such a face does not cut. Both ends are widened for distances of either sign,
+//   which a t_min below 0 allows.
 
 #include "simd/set.h"
 
@@ -49,12 +49,12 @@ inline Lanes broadcast_lane(const Lanes& lanes, std::size_t i) noexcept {
     return broadcast(values[i]);
 }
 
-// More than all that rounding does to a distance.
+// Factors that change a distance by more than its rounding error.
 constexpr float shrink = 1.0F - 0x1.0p-21F;
 constexpr float grow = 1.0F + 0x1.0p-21F;
 
-// The reciprocal of a direction's component, or NaN where it or a distance to a box could overflow:
-// then nothing is cut on that axis.
+// The reciprocal of a direction's component, or NaN if it or a distance to a box could overflow.
+// With NaN, boxes are not cut on that axis.
 inline float inverse_of(Axis axis, const Ray& ray, const Aabb& bounds) noexcept {
     constexpr float far = 0x1.0p126F;
     const float direction = ray.direction[axis];
@@ -64,7 +64,8 @@ inline float inverse_of(Axis axis, const Ray& ray, const Aabb& bounds) noexcept 
     return is_near && !is_tiny ? 1.0F / direction : std::numeric_limits<float>::quiet_NaN();
 }
 
-// Byte offsets in a Bvh8Node of the rows of bounds that a ray comes to first and last on each axis.
+// The byte offsets, in a Bvh8Node, of the bounds that a ray reaches first on each axis; far_of()
+// gives the opposite bounds.
 struct RowOffsets {
     RowOffsets() = default;
 
@@ -98,7 +99,7 @@ struct BoxHits {
     Lanes enter;
 };
 
-// The largest coordinate of a box, without its sign.
+// The largest absolute value of a box's coordinates.
 inline float reach_of(const Aabb& box) noexcept {
     const auto larger = [](float a, float b) { return std::max(std::abs(a), std::abs(b)); };
     return std::max({larger(box.lower.x, box.upper.x), larger(box.lower.y, box.upper.y),
@@ -107,9 +108,9 @@ inline float reach_of(const Aabb& box) noexcept {
 
 constexpr float fast_reach = 0x1.0p60F;
 
-// Whether products with the ray's origin and inverse direction, and with the bounds of all boxes,
-// neither overflow nor are NaN, and nothing behind the origin matters. Such a ray is_traceable().
-// All numbers of the ray at once: a branch for each would cost 7 ns a ray.
+// True if FastRay is valid for a ray: it is traceable with t_min >= 0, and no product of its
+// origin, its inverse direction and the bounds of boxes overflows or is NaN. All numbers of the ray
+// are tested at once; a branch for each would cost 7 ns a ray.
 inline bool is_fast(const Ray& ray, const Aabb& bounds) noexcept {
     constexpr unsigned of_origin = 0b000111;
     constexpr unsigned of_direction = 0b111000;
@@ -123,12 +124,13 @@ inline bool is_fast(const Ray& ray, const Aabb& bounds) noexcept {
            reach <= fast_reach;
 }
 
-// Of rays that pass is_fast() in a tree's bounds, all lanes the same or each a ray of its own.
-// Never meets an empty child: its bounds are infinite the wrong way round.
+// The fast traversal, for rays that pass is_fast() in a tree's bounds. All lanes hold the same ray,
+// or each lane its own. Empty children have inverted bounds (min = +inf, max = -inf), so no ray
+// meets them.
 struct FastRay {
     static constexpr bool never_meets_empty = true;
 
-    // To be set on each axis.
+    // Initializes the directions only; call set_axis() for each axis.
     explicit FastRay(Vec3f direction) noexcept : near_row(direction) {}
 
     explicit FastRay(const Ray& ray) noexcept : FastRay(ray.direction) {
@@ -140,15 +142,15 @@ struct FastRay {
         }
     }
 
-    // An origin's coordinate and the inverse of a direction's.
+    // The origin's coordinate and the inverse direction on one axis.
     struct Line {
         Lanes origin;
         Lanes inverse;
     };
 
-    // Distances to near faces are those on one line, to far faces those on another.
+    // Uses the line `near` for distances to near faces, and `far` for those to far faces.
     void set_axis(Lanes Lanes3::*axis, Line near, Line far) noexcept {
-        // Never 0, so that a face which the ray starts on is not at -0.
+        // Never 0: otherwise a face that the ray starts on would be at -0.
         const auto slack = [](Line line) {
             return broadcast(0x1.0p-21F) * abs(line.origin * line.inverse) + broadcast(0x1.0p-100F);
         };
@@ -158,13 +160,14 @@ struct FastRay {
         far_at_0.*axis = far.origin * to_far.*axis - slack(far);
     }
 
-    // The children whose boxes the ray meets between enter and exit, which are not negative: a
-    // negative distance to a near face does not raise enter, one to a far face is a miss.
+    // The children whose boxes the ray meets between `enter` and `exit`, which must not be
+    // negative. A negative distance to a near face does not raise `enter`; one to a far face is a
+    // miss.
     [[nodiscard]] BoxHits meet(const Bvh8Node& node, Lanes enter, Lanes exit) const noexcept {
         return cut([&](std::size_t row) { return load_row(node, row); }, enter, exit);
     }
 
-    // The rays, if each lane has its own, that meet one child.
+    // For lanes with a ray each: a mask of the rays that meet one child.
     [[nodiscard]] unsigned meet_child(const Bvh8Node& node, std::size_t slot, Lanes enter,
                                       Lanes exit) const noexcept {
         const char* const bounds = reinterpret_cast<const char*>(node.bound.data());
@@ -200,7 +203,7 @@ struct FastRay {
     Lanes3 far_at_0;
 };
 
-// Of any traceable ray.
+// The robust traversal, for any traceable ray.
 struct RobustRay {
     static constexpr bool never_meets_empty = false;
 
@@ -211,8 +214,8 @@ struct RobustRay {
               broadcast3(Vec3f{inverse_of(Axis::x, ray, bounds), inverse_of(Axis::y, ray, bounds),
                                inverse_of(Axis::z, ray, bounds)})) {}
 
-    // The children whose boxes the ray may meet between enter and exit, at distances of either
-    // sign. Empty ones only if no axis cuts.
+    // The children whose boxes the ray may meet between `enter` and `exit`, at distances of either
+    // sign. Includes empty children only if no axis cuts.
     [[nodiscard]] BoxHits meet(const Bvh8Node& node, Lanes enter, Lanes exit) const noexcept {
         const Lanes low = broadcast(shrink * shrink);
         const Lanes high = broadcast(grow * grow);
@@ -227,7 +230,8 @@ struct RobustRay {
             const Lanes t = distance(RowOffsets::far_of(axis, row), from, per_unit);
             return max(t * low, t * high);
         };
-        // Two by two: of a NaN the second argument is left, at worst less is cut.
+        // The order of arguments matters: a NaN is replaced by the second argument, so that at
+        // worst less is cut.
         enter =
             max(max(near(near_row.x, origin.x, inverse.x), near(near_row.y, origin.y, inverse.y)),
                 max(near(near_row.z, origin.z, inverse.z), enter));

@@ -1,5 +1,5 @@
-// What traversals of the 8-wide tree look for. Each query says how far boxes matter
-// still and takes the triangles that may be hit, one at a time.
+// The queries of the 8-wide tree's traversal. A query gives the limits within which boxes matter,
+// and receives the triangles that may be hit, one at a time.
 
 #include "simd/set.h"
 
@@ -34,8 +34,9 @@ namespace COPPICE_SIMD_SET {
 
 using namespace simd::COPPICE_SIMD_SET;
 
-// Hits count by their rounded t: those a little outside of an interval may belong to it. The least
-// slack is far from the denormal numbers, which are slow to calculate with.
+// Hits are compared by their rounded t, so those slightly outside an interval may belong to it.
+// above() and below() move a limit outward accordingly. The smallest slack is far above the
+// denormal numbers, whose arithmetic is slow.
 inline float above(float t) noexcept {
     return std::max(t * shrink, t * grow) + 0x1.0p-100F;
 }
@@ -44,12 +45,13 @@ inline float below(float t) noexcept {
     return std::min(t * shrink, t * grow) - 0x1.0p-100F;
 }
 
-// Where boxes begin to matter: not below 0 but for rays that look behind them.
+// The distance from which boxes matter. Not below 0, except for rays whose t_min is negative.
 inline float first_of(float t_min) noexcept {
     return t_min < 0.0F ? below(t_min) : std::max(below(t_min), 0.0F);
 }
 
-// Shows a query the triangles of a block that may be hit; true if that ends its search.
+// Passes the triangles of a block that may be hit to a query. Returns true if the query has
+// finished.
 template <typename Query>
 inline bool show(const TriangleBlock& block, const ShearedRay& ray, Query& query) noexcept {
     Sifted sifted;
@@ -61,7 +63,7 @@ inline bool show(const TriangleBlock& block, const ShearedRay& ray, Query& query
     return false;
 }
 
-// Whether anything is hit.
+// Finds out whether anything is hit.
 class AnyHitQuery {
 public:
     static constexpr bool nearest_first = false;
@@ -73,13 +75,13 @@ public:
 
     [[nodiscard]] float limit() const noexcept { return above(ray_.t_max); }
 
-    // True if that ends the search.
+    // Returns true if the search has finished.
     bool consider(const TriangleBlock& block, std::size_t lane, const Sifted& sifted) noexcept {
         const bool is_certain = (sifted.certain >> lane & 1U) != 0;
         if (is_certain && (sifted.first[lane] > ray_.t_max || sifted.last[lane] < ray_.t_min)) {
             return false;
         }
-        // Nothing beyond the range of float is hit.
+        // A hit beyond the range of float does not count.
         const float farthest = std::min(ray_.t_max, std::numeric_limits<float>::max());
         const bool is_inside = sifted.first[lane] >= ray_.t_min && sifted.last[lane] <= farthest;
         Hit hit;
@@ -96,9 +98,9 @@ private:
     bool is_hit_ = false;
 };
 
-// The closest hit. A triangle that single precision finds hit for sure is kept as it is while what
-// comes after is certainly nearer or farther; only the closest is measured in double precision at
-// the end, and before that only what single precision cannot tell apart.
+// Finds the closest hit. Single precision gives each certain hit an interval of t. As long as these
+// intervals do not overlap, they decide which hit is closer. Only overlapping hits and the final
+// one are computed in double precision.
 class ClosestHitQuery {
 public:
     static constexpr bool nearest_first = true;
@@ -123,7 +125,7 @@ public:
         return false;
     }
 
-    // False if there is none.
+    // Returns false if nothing is hit.
     bool finish(Hit& hit) noexcept {
         if (block_ == nullptr) return false;
         settle(hit);
@@ -131,7 +133,7 @@ public:
     }
 
 private:
-    // Of equally close hits the lowest id is kept.
+    // Decides in double precision. Of equally close hits the lowest id wins.
     void consider_decided(const TriangleBlock& block, std::size_t lane) noexcept {
         Hit hit;
         if (first_ < last_) settle(hit);
@@ -154,14 +156,14 @@ private:
 
     const Ray& ray_;
     const ShearedRay& sheared_;
-    // The closest so far, at a t in [first, last].
+    // The closest hit so far, with t in [first_, last_].
     const TriangleBlock* block_ = nullptr;
     std::size_t lane_ = 0;
     float first_;
     float last_;
 };
 
-// The first hits after a given one, in order of t and then of id, each once.
+// Collects the first hits after a given one, in order of t, then of id, each once.
 class FirstKHitsQuery {
 public:
     static constexpr bool nearest_first = true;

@@ -1,4 +1,4 @@
-// The traversals of the 8-wide tree, on the lanes of an instruction set. Hits are those of brute
+// The traversals of the 8-wide tree on the lanes of one instruction set. Hits equal those of brute
 // force on every set.
 
 #include "simd/set.h"

@@ -1,9 +1,9 @@
-// How one ray goes through the 8-wide tree.
+// Traversal of the 8-wide tree by a single ray.
 //
-// Of the children that a ray meets it goes on to the nearest, or an any-hit query to the likeliest
-// to be hit; the others wait on a stack. What single precision cannot decide is decided by
-// TriangleTest's operations in double. So hits are those of brute force on every instruction set,
-// and watertight.
+// The ray descends to the nearest child that it meets, an any-hit query to the child most likely to
+// be hit. The others are pushed on a stack. What single precision cannot decide is decided by
+// TriangleTest's operations in double. So hits equal those of brute force on every instruction set,
+// and the traversal is watertight.
 //
 // Stack: an inner node leaves at most 7 entries, and no node is deeper than Bvh8::max_depth.
 
@@ -42,8 +42,9 @@ using namespace simd::COPPICE_SIMD_SET;
 
 constexpr std::size_t max_stack = (bvh8_width - 1) * (Bvh8::max_depth + 1);
 
-// A child that waits and the distance at which the ray enters it. As integers the nearer of two is
-// the smaller, for distances that are not negative; else only the order of visits suffers.
+// A waiting child and the distance at which the ray enters it, packed into an integer. The nearer
+// of two entries is the smaller integer if distances are not negative. Otherwise only the order of
+// visits is worse.
 class Entry {
 public:
     Entry() = default;
@@ -66,7 +67,7 @@ private:
     std::uint64_t bits_;
 };
 
-// What is counted if nothing is.
+// Counts nothing and costs nothing.
 struct NoCounts {
     void add_node() noexcept {}
 
@@ -99,7 +100,7 @@ public:
         set_limit();
     }
 
-    // Searches the subtree of a child; true if the query came to its end.
+    // Searches the subtree of a child. Returns true if the query has finished.
     bool run(Bvh8Child at = Bvh8Child::make_inner(0)) noexcept {
         for (;;) {
             if (!at.is_leaf()) {
@@ -117,7 +118,7 @@ private:
         exit_ = broadcast(limit_);
     }
 
-    // The next entry that is not too far, or false.
+    // Pops the next entry within the limit; returns false if there is none.
     bool pop(Bvh8Child& at) noexcept {
         while (top_ != stack_.data()) {
             --top_;
@@ -128,8 +129,8 @@ private:
         return false;
     }
 
-    // Goes on to one of the children that the ray meets and leaves the others on the stack; false
-    // if it meets none.
+    // Descends to one of the children that the ray meets and pushes the others. Returns false if it
+    // meets none.
     bool step_down(const Bvh8Node& node, Bvh8Child& at) noexcept {
         counter_.add_node();
         const BoxHits met = ray_.meet(node, enter_, exit_);
@@ -138,7 +139,7 @@ private:
         return is_child(at);
     }
 
-    // The others are sorted, the nearest on top of the stack.
+    // Returns the nearest child and pushes the others, sorted with the nearest on top.
     Bvh8Child go_to_nearest(const Bvh8Node& node, const BoxHits& met) noexcept {
         unsigned rest = met.mask & (met.mask - 1);
         auto slot = static_cast<std::size_t>(std::countr_zero(met.mask));
@@ -163,7 +164,8 @@ private:
         return nearest.child();
     }
 
-    // The builder puts the child last that is likeliest to be hit.
+    // Returns the last child, which the builder places last because it is the most likely to be
+    // hit.
     Bvh8Child go_to_last(const Bvh8Node& node, unsigned mask) noexcept {
         for (;;) {
             const Bvh8Child child = node.child[static_cast<std::size_t>(std::countr_zero(mask))];
@@ -174,7 +176,7 @@ private:
         }
     }
 
-    // Whether a met slot holds anything.
+    // True if a slot whose box is met holds a child.
     static bool is_child(Bvh8Child met) noexcept {
         return BoxRay::never_meets_empty || !met.is_empty();
     }
@@ -189,7 +191,7 @@ private:
         }
     }
 
-    // True if that ends the search.
+    // Returns true if the search has finished.
     bool visit_leaf(Bvh8Child leaf) noexcept {
         counter_.add_leaf(leaf.block_count());
         const TriangleBlock* block = blocks_ + leaf.first_block();
@@ -213,7 +215,7 @@ private:
     Entry* top_ = stack_.data();
 };
 
-// Runs a query through the tree, if the ray can hit anything.
+// Runs a query through the tree, if the ray is traceable.
 template <typename Query, typename Counter>
 void search(const Bvh8& tree, const Ray& ray, const ShearedRay& sheared, Query& query,
             Counter counter) noexcept {

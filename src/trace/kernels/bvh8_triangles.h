@@ -1,18 +1,21 @@
-// How a ray meets the eight triangles of a block, decided in single precision as far as that can.
+// Intersection of a ray with the eight triangles of a block, as far as single precision can decide
+// it.
 //
-// The test is that of TriangleTest [Woop2013] with a bound on all that rounding can do to it. With
-// u = 2^-24, m the largest sheared x or y of a triangle and Z its largest z as seen from the origin
-// (all in the ray's axes, where shears are at most 1):
-// - a sheared coordinate is off by 5 u (m + Z): one rounding of each difference, three of the
-//   shear, one of the product, one of the sum, and |x| <= m + Z before the shear;
-// - so a weight (edge function) is off by 20 u m (m + Z) + 50 u^2 (m + Z)^2 + 4 u m^2, which is
-//   less than `error` = (m + Z) (32 u m + 64 u^2 (m + Z)), and by what underflows;
-// - t is an average of the corners' z by weights of one sign: their errors move it by less than
-//   8 error / |sum of weights| of the corners' range of z where that ratio is less than 1, and
-//   roundings by 10 u Z, for which 32 u Z is taken.
-// A triangle whose weights have both signs beyond the error is missed for sure; one whose weights
-// have one sign beyond it is hit for sure, at a t in a known interval. All others, and NaN from
-// overflow, are left to TriangleTest: where a sheared x or y is NaN its z is infinite, and so Z.
+// The test is that of TriangleTest [Woop2013], with a bound on its rounding error. Let u = 2^-24, m
+// the largest sheared x or y of a triangle, and Z its largest z relative to the origin (all in the
+// ray's axes, where shears are at most 1):
+// - A sheared coordinate has an error of at most 5 u (m + Z): one rounding of each difference,
+//   three of the shear, one of the product, one of the sum, and |x| <= m + Z before the shear.
+// - Hence a weight (edge function) has an error of at most 20 u m (m + Z) + 50 u^2 (m + Z)^2 + 4 u
+//   m^2, which is less than `error` = (m + Z) (32 u m + 64 u^2 (m + Z)), plus what underflows.
+// - t is an average of the corners' z, with weights of one sign. Errors of the weights move it by
+//   less than 8 error / |sum of weights| of the corners' range of z, if that ratio is less than 1.
+//   Roundings move it by 10 u Z, for which 32 u Z is used.
+//
+// A triangle whose weights have both signs beyond the error is certainly missed. One whose weights
+// have one sign beyond the error is certainly hit, at a t in a known interval. All others, and NaN
+// from overflow, are left to TriangleTest: where a sheared x or y is NaN, its z is infinite, and so
+// is Z.
 
 #include "simd/set.h"
 
@@ -42,7 +45,8 @@ namespace COPPICE_SIMD_SET {
 
 using namespace simd::COPPICE_SIMD_SET;
 
-/// A ray in the axes of the triangle test, the longest component of its direction last.
+/// A ray in the axes of the triangle test, where z is the axis of its direction's longest
+/// component.
 struct ShearedRay {
     explicit ShearedRay(const Ray& ray) noexcept : axes(ray.direction) {
         const std::array<float, 3> d{ray.direction.x, ray.direction.y, ray.direction.z};
@@ -60,15 +64,15 @@ struct ShearedRay {
     Lanes shear_y;
 };
 
-// What single precision says of the triangles of a block.
+// The result of the single-precision test of a block's triangles.
 struct Sifted {
-    unsigned possible;  // may be hit at some t
-    unsigned certain;   // of these: are hit, at a t in [first, last]; else the two say nothing
+    unsigned possible;  // mask of the triangles that may be hit
+    unsigned certain;   // mask of those that are hit, at a t in [first, last]
     alignas(32) std::array<float, bvh8_width> first;
     alignas(32) std::array<float, bvh8_width> last;
 };
 
-// The intervals of t in which the triangles of `sifted.possible` are hit for sure.
+// Computes the intervals of t in which the triangles of `sifted.possible` are certainly hit.
 inline void bound_hits(const Lanes3& weight, const Lanes3& z, Lanes z_size, Lanes error,
                        float scale_z, Sifted& sifted) noexcept {
     const Lanes sum = weight.x + (weight.y + weight.z);
@@ -81,11 +85,11 @@ inline void bound_hits(const Lanes3& weight, const Lanes3& z, Lanes z_size, Lane
     const Lanes wide = slack * broadcast(std::abs(scale_z)) + broadcast(0x1.0p-126F);
     store(at - wide, sifted.first);
     store(at + wide, sifted.last);
-    const Lanes none = at - at;  // NaN if it has overflowed
+    const Lanes none = at - at;  // NaN if `at` has overflowed
     sifted.certain &= less(share + none, broadcast(1.0F));
 }
 
-// Sets `possible`, and if any is, the rest.
+// Sets `possible`, and the other members if any triangle is possible.
 inline void sift_triangles(const TriangleBlock& block, const ShearedRay& ray,
                            Sifted& sifted) noexcept {
     const auto corner = [&](std::size_t at) {
@@ -105,7 +109,7 @@ inline void sift_triangles(const TriangleBlock& block, const ShearedRay& ray,
                                 larger_size(c.x, c.y));
     const Lanes z_size = larger_size(a.z, larger_size(b.z, c.z));
     const Lanes reach = m + z_size;
-    // The products first: they overflow wherever those of the weights do.
+    // The products come first: they overflow wherever those of the weights do.
     const Lanes error = broadcast(0x1.0p-19F) * (reach * m) +
                         (broadcast(0x1.0p-42F) * (reach * reach) + broadcast(0x1.0p-126F));
     const Lanes least = min(weight.x, min(weight.y, weight.z));

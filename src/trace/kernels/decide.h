@@ -1,5 +1,5 @@
-// One triangle of a block decided in double precision: by the very operations of TriangleTest, so
-// the very same bits. With registers of four doubles its three corners go at a time.
+// Decides one triangle of a block in double precision, with exactly the operations of TriangleTest
+// and hence the same bits. With registers of four doubles, the three corners are processed at once.
 
 #include "simd/set.h"
 
@@ -34,7 +34,7 @@ using namespace simd::COPPICE_SIMD_SET;
 
 #if COPPICE_SIMD_ISA >= COPPICE_SIMD_AVX2
 
-// Values of the three corners a, b, c; the fourth lane is that of c again.
+// One value for each of the corners a, b, c; the fourth lane repeats c.
 using ByCorner = Doubles;
 
 // (a, b, c) becomes (c, a, b).
@@ -53,14 +53,15 @@ inline std::array<double, 4> to_array(ByCorner v) noexcept {
     return values;
 }
 
-// One coordinate of the corners.
+// One coordinate of all corners.
 inline ByCorner coordinate(const TriangleBlock& block, std::size_t lane,
                            std::size_t axis) noexcept {
     const float c = block.corner[2][axis][lane];
     return to_doubles(make_quad(block.corner[0][axis][lane], block.corner[1][axis][lane], c, c));
 }
 
-// The component of the cross product of b - a and c - a that two of their coordinates give.
+// The component of the cross product of b - a and c - a that follows from two of the corners'
+// coordinates.
 inline double cross_component(ByCorner y, ByCorner z) noexcept {
     const auto from_a = [](ByCorner v) { return v - permute<0, 0, 0, 0>(v); };
     const ByCorner products = from_a(y) * permute<0, 2, 1, 3>(from_a(z));
@@ -75,7 +76,7 @@ inline Vec3f normal_of(ByCorner x, ByCorner y, ByCorner z, const RayAxes& axes) 
     return {n[0], n[1], n[2]};
 }
 
-// True if the ray hits the triangle at a t of at most t_max, and then the hit.
+// True if the ray hits the triangle at a t of at most t_max; then sets the hit.
 inline bool decide(const TriangleBlock& block, std::size_t lane, const Ray& ray,
                    const RayAxes& axes, float t_max, Hit& hit) noexcept {
     const auto of = [](Vec3f v, std::size_t axis) {
@@ -108,7 +109,8 @@ inline bool decide(const TriangleBlock& block, std::size_t lane, const Ray& ray,
     const auto t = static_cast<float>(mean * scale_z);
     if (!(t >= ray.t_min && t <= t_max && t <= std::numeric_limits<float>::max())) return false;
     const double per_weight = 1.0 / sum;
-    // One by one: a temporary would be copied in pieces that are not those it was written in.
+    // Members are set one by one: a temporary Hit would be loaded in pieces other than it was
+    // stored in, which stalls.
     hit.t = t;
     hit.u = static_cast<float>(w[1] * per_weight);
     hit.v = static_cast<float>(w[2] * per_weight);
@@ -119,7 +121,7 @@ inline bool decide(const TriangleBlock& block, std::size_t lane, const Ray& ray,
 
 #else
 
-// Without registers of four doubles.
+// The same without registers of four doubles.
 inline bool decide(const TriangleBlock& block, std::size_t lane, const Ray& ray,
                    const RayAxes& /*axes*/, float t_max, Hit& hit) noexcept {
     return decide_alone(block, lane, ray, t_max, hit);

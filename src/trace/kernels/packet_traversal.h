@@ -1,9 +1,9 @@
-// How a ray packet goes through the 8-wide tree.
+// Traversal of the 8-wide tree by a ray packet.
 //
-// At a node all boxes are cut first by the frustum, which is as wide as the eight rays, and then
-// each box that it meets by the eight rays at once; the packet goes on to these boxes with the rays
-// that meet them. Fewer than three rays go on alone. At a leaf each ray's own query is asked, so
-// hits are those of single rays.
+// At a node, all boxes are first tested against the frustum of the eight rays. Each box that it
+// meets is then tested against the eight rays at once. The packet descends to these boxes with the
+// rays that meet them. Fewer than three rays continue as single rays. At a leaf, each ray's own
+// query is asked, so hits equal those of single rays.
 
 #include "simd/set.h"
 
@@ -71,7 +71,8 @@ private:
         Query query;
     };
 
-    // A child that waits, the rays that meet it, and a distance before which none enters it.
+    // A waiting child, the mask of the rays that meet it, and a lower bound of their entry
+    // distances.
     struct Entry {
         float enter;
         Bvh8Child child;
@@ -102,7 +103,8 @@ private:
         return false;
     }
 
-    // Goes on to one of the children that any ray meets, as Traversal does; false if there is none.
+    // Descends to one of the children that any ray meets, as Traversal does. Returns false if there
+    // is none.
     bool step_down(const Bvh8Node& node, Bvh8Child& at, unsigned& rays) noexcept {
         const BoxHits met = packet_.frustum.meet(node, broadcast(first_), broadcast(limit_));
         if (met.mask == 0) return false;
@@ -123,7 +125,7 @@ private:
         return true;
     }
 
-    // Entries from base on are sorted, the nearest on top.
+    // Pushes an entry. Entries from `base` on are sorted, the nearest on top.
     void push(Entry entry, const Entry* base) noexcept {
         Entry* place = top_++;
         if (Query::nearest_first) {
@@ -171,7 +173,8 @@ private:
     Entry* top_ = stack_.data();
 };
 
-// Traces arrays of rays: calls done(i, query) for each that was in a packet, else alone(i).
+// Traces an array of rays. Calls done(i, query) for each ray that was in a packet, and alone(i) for
+// each other ray.
 template <typename Query, typename Done, typename Alone>
 void trace_in_packets(const Bvh8& tree, std::span<const Ray> rays, Done&& done,
                       Alone&& alone) noexcept {

@@ -1,4 +1,4 @@
-// Eight rays that go much the same way, and the frustum of all of them.
+// Ray packets: eight rays that are nearly parallel, and their frustum.
 
 #include "simd/set.h"
 
@@ -33,15 +33,15 @@ using namespace simd::COPPICE_SIMD_SET;
 
 constexpr std::size_t packet_size = 8;
 
-using OfRays = std::array<float, packet_size>;  // a number of each
+using OfRays = std::array<float, packet_size>;  // one number per ray
 
-// Eight rays, all fast and with directions of the same signs, and the frustum of all of them.
+// Eight rays and their frustum. All pass is_fast(), and their directions have the same signs.
 struct RayPacket {
-    // To be gathered.
+    // Refers to eight rays; call gather() before use.
     explicit RayPacket(std::span<const Ray, packet_size> eight) noexcept
         : rays(eight), each(eight.front().direction), frustum(eight.front().direction) {}
 
-    // False if the rays are no such packet.
+    // Loads the rays. Returns false if they cannot form a packet.
     bool gather(const Aabb& bounds) noexcept {
         if (!have_same_signs()) return false;
         alignas(32) std::array<OfRays, 8> rows;  // origin, direction, t_min, t_max
@@ -58,7 +58,7 @@ struct RayPacket {
         return true;
     }
 
-    // One of the rays in all lanes.
+    // Ray i in all lanes.
     [[nodiscard]] FastRay ray(std::size_t i) const noexcept {
         FastRay one(rays[i].direction);
         const auto spread = [&](const Lanes3& v) {
@@ -72,7 +72,7 @@ struct RayPacket {
     }
 
     std::span<const Ray, packet_size> rays;
-    FastRay each;  // a ray in each lane
+    FastRay each;  // one ray per lane
     FastRay frustum;
 
 private:
@@ -88,7 +88,7 @@ private:
         return true;
     }
 
-    // See is_fast().
+    // is_fast() for all rays at once.
     static bool are_fast(const std::array<OfRays, 8>& rows) noexcept {
         unsigned fast =
             less_equal(broadcast(0.0F), load(rows[6])) & less_equal(load(rows[6]), load(rows[7]));
@@ -101,7 +101,8 @@ private:
         return fast == 0xffU;
     }
 
-    // Whether no direction is more than 14 degrees off the first: others part soon.
+    // True if no direction deviates by more than 14 degrees from the first. Other packets diverge
+    // soon.
     static bool are_close(const std::array<OfRays, 8>& rows) noexcept {
         const auto dot = [&](Lanes x, Lanes y, Lanes z) {
             return x * load(rows[3]) + (y * load(rows[4]) + z * load(rows[5]));
@@ -113,8 +114,9 @@ private:
         return less_equal(broadcast(0.94F) * (squares * first), with_first * with_first) == 0xffU;
     }
 
-    // A lower bound of the distances to near faces that are not negative is that of the origin
-    // farthest on and the longest component; an upper one to far faces that of the opposite two.
+    // Sets an axis of the rays and of the frustum. The frustum's lower bound of non-negative
+    // distances to near faces is that of the most advanced origin and the longest direction
+    // component. Its upper bound of distances to far faces uses the opposite extremes.
     void set_axis(Lanes Lanes3::*axis, const OfRays& origin, const OfRays& direction) noexcept {
         using Line = FastRay::Line;
         const Line own{load(origin), broadcast(1.0F) / load(direction)};

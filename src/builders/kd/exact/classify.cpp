@@ -1,5 +1,6 @@
-// Which side of the plane each PrimRef is on, so that its events need not be classified one by
-// one. Cost: O(n), and the clipping of those across. Source: [WaldHavran2006] sec. 4.3, step 1.
+// Determines the side of the plane for each PrimRef, so that its events need not be classified one
+// by one. Cost: O(n), plus the clipping of PrimRefs across the plane.
+// Source: [WaldHavran2006] sec. 4.3, step 1.
 
 #include "builders/kd/exact/classify.h"
 
@@ -11,7 +12,8 @@ namespace coppice::inline v0 {
 
 namespace {
 
-// How many PrimRefs each side has at most, so that large nodes do not take room for all twice.
+// Upper limits of the PrimRefs on each side, so that large nodes do not allocate room for all of
+// them twice.
 struct SideLimits {
     std::size_t below = 0;
     std::size_t above = 0;

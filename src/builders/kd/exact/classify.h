@@ -8,13 +8,13 @@
 
 namespace coppice::inline v0 {
 
-/// Where the PrimRefs of a node have gone.
+/// The sides that the PrimRefs of a node were assigned to.
 struct Classification {
-    /// By slot: where a PrimRef that is not across the plane went: its new slot, plus
-    /// in_upper_child if it is above; moved_anew if it is across.
+    /// Indexed by slot. For a PrimRef on one side: its new slot, plus in_upper_child if it is
+    /// above. For one across the plane: moved_anew.
     std::vector<std::uint32_t> moved_to;
 
-    /// The new slots of PrimRefs that are across: their boxes have changed.
+    /// The new slots of PrimRefs across the plane, whose boxes have changed.
     std::vector<std::uint32_t> clipped_below;
     std::vector<std::uint32_t> clipped_above;
 
@@ -22,7 +22,8 @@ struct Classification {
     static constexpr std::uint32_t moved_anew = ~0U;
 };
 
-/// Divides a node's PrimRefs at a plane, just as divide() does; events are left to splice().
+/// Divides a node's PrimRefs at a plane, exactly as divide() does. splice() then divides the
+/// events.
 [[nodiscard]] Classification classify(const ExactNode& node, SplitPlane plane,
                                       PlanarSide planar_side, const Division& division,
                                       Partition& sides);

@@ -1,7 +1,7 @@
-// Sorts the events of all primitives once, then goes down: at each node one sweep over the sorted
-// events finds the plane, and the children's events are filtered from their parent's, so that they
-// need no sorting. Small nodes are left to KdBuilder, whose vectors search them by the same rule.
-// Cost: O(N log N); 80 bytes a PrimRef, of a node and its children at the same time.
+// Sorts the events of all primitives once, then descends. At each node, one sweep over the sorted
+// events finds the plane. The children's events are filtered from their parent's, so that they need
+// no sorting. Small nodes are left to KdBuilder, whose kernels find the same planes faster. Cost:
+// O(N log N) time; 80 bytes a PrimRef, for a node and its children at the same time.
 // Source: [WaldHavran2006] sec. 4.3.
 
 #include "builders/kd/exact/exact_builder.h"
@@ -35,7 +35,7 @@ TreePart ExactBuilder::build(std::vector<PrimRef> prim_refs, const NodeState& no
 TreePart ExactBuilder::build_node(ExactNode node, NodeState state, WorkShare work) const {
     const std::size_t count = node.prim_refs.size();
     if (count < parallel_prim_ref_count && work.is_asked_for()) {
-        TreePart part = build_node(std::move(node), state, {});  // what is small is told at once
+        TreePart part = build_node(std::move(node), state, {});  // small: reported when done
         work.done();
         return part;
     }
@@ -60,7 +60,7 @@ TreePart ExactBuilder::build_node(ExactNode node, NodeState state, WorkShare wor
             classify(node, plane, split->planar_side, division_, sides);
         children = splice(std::move(node), classification, std::move(sides));
     }
-    // While the children's arrays were made, the node's were there too.
+    // The node's arrays existed while the children's were made.
     MeteredBytes below_bytes(division_.meter, children.below.capacity_bytes());
     MeteredBytes above_bytes(division_.meter, children.above.capacity_bytes());
     bytes.release();
@@ -71,7 +71,7 @@ TreePart ExactBuilder::build_node(ExactNode node, NodeState state, WorkShare wor
     return build_both(
         plane, split->planar_side, count,
         [&, work = work_below] {
-            below_bytes.release();  // the child counts its own
+            below_bytes.release();  // the child counts its own memory
             return build_node(std::move(children.below), state.child(below(state.box, plane), more),
                               work);
         },

@@ -12,11 +12,11 @@
 
 namespace coppice::inline v0 {
 
-/// Builds the tree that KdBuilder builds by a rule that finds_cheapest_end(), plane for plane, in
-/// O(N log N).
+/// Builds the same tree as KdBuilder with a rule that finds_cheapest_end(), plane for plane, in O(N
+/// log N).
 class ExactBuilder {
 public:
-    /// The rule of the options is such a one.
+    /// The options' rule must satisfy finds_cheapest_end().
     ExactBuilder(PrimitiveSetView primitives, const KdOptions& options, const TerminationRule& stop,
                  MemoryMeter* meter = nullptr);
 
@@ -30,7 +30,7 @@ private:
     Division division_;
     SahCostModel cost_;
     TerminationRule stop_;
-    KdBuilder small_;  // for nodes where vectors are faster than lists
+    KdBuilder small_;  // for small nodes, where its kernels are faster
 };
 
 }  // namespace coppice::inline v0

@@ -19,7 +19,7 @@ struct ExactNode {
     std::vector<PrimRef> prim_refs;
     std::array<EventList, 3> events;
 
-    /// What all arrays have allocated.
+    /// The capacity of all arrays in bytes.
     [[nodiscard]] std::uint64_t capacity_bytes() const noexcept {
         std::uint64_t bytes = prim_refs.capacity() * sizeof(PrimRef);
         for (const EventList& list : events) {
@@ -29,13 +29,15 @@ struct ExactNode {
     }
 };
 
-/// Adds the events of a PrimRef on an axis: its start and end, or one if it is flat there.
+/// Adds the events of a PrimRef on an axis: its start and end, or a single planar event if it is
+/// flat there.
 void add_events(const PrimRef& prim_ref, std::uint32_t slot, Axis axis, EventList& events);
 
-/// A node with these PrimRefs. Throws Error(limit) for 2^30 of them or more.
+/// Makes a node with these PrimRefs and sorts its events. Throws Error(limit) for 2^30 of them or
+/// more.
 [[nodiscard]] ExactNode make_exact_node(std::vector<PrimRef> prim_refs);
 
-/// Calls `work(axis)` for all axes, in parallel where there are many PrimRefs.
+/// Calls `work(axis)` for all axes, in parallel if there are many PrimRefs.
 void for_each_axis(std::size_t prim_ref_count, const std::function<void(Axis)>& work);
 
 }  // namespace coppice::inline v0

@@ -1,7 +1,8 @@
-// The children's sorted events without sorting: going through the parent's in order and sending
-// each to its PrimRef's side keeps them sorted, since slots keep their order, too. Only the new
-// events of clipped PrimRefs, few at most nodes, are sorted, and merged in. Cost: O(n + m log m)
-// for m PrimRefs across the plane. Source: [WaldHavran2006] sec. 4.3, steps 2 to 4.
+// Makes the children's sorted events without sorting. Each event of the parent is sent to its
+// PrimRef's side in order. That keeps them sorted, because slots keep their order, too. Only the
+// new events of clipped PrimRefs, few at most nodes, are sorted and merged in. Cost: O(n + m log m)
+// for m PrimRefs across the plane.
+// Source: [WaldHavran2006] sec. 4.3, steps 2 to 4.
 
 #include "builders/kd/exact/splice.h"
 
@@ -16,8 +17,8 @@
 namespace coppice::inline v0 {
 namespace {
 
-// Sends the events of an axis to the children, except those of clipped PrimRefs: to the lower one
-// in place.
+// Divides the events of an axis between the children, without those of clipped PrimRefs. The lower
+// child's reuse the array.
 std::array<EventList, 2> divide_events(EventList events, std::size_t above_count,
                                        const std::vector<std::uint32_t>& moved_to) {
     std::array<EventList, 2> sides{std::move(events), EventList(2 * above_count)};
@@ -49,7 +50,7 @@ void merge_new(EventList& events, const std::vector<PrimRef>& prim_refs,
         add_events(prim_refs[slot], slot, axis, added);
     }
     std::sort(added.begin(), added.end());
-    // From the back, so that no event is moved twice.
+    // Merges from the back, so that no event is moved twice.
     events.resize(events.size() + added.size());
     auto from = events.begin() + old_count;
     auto to = events.end();

@@ -5,14 +5,14 @@
 
 namespace coppice::inline v0 {
 
-/// The children of a divided node, in order.
+/// The children of a divided node, the lower one first.
 struct ExactChildren {
     ExactNode below;
     ExactNode above;
 };
 
-/// The children with their sorted events: those of their parent, less those of clipped PrimRefs,
-/// which get new ones. Frees the parent's arrays.
+/// Makes the children with their sorted events: those of the parent, with new ones for clipped
+/// PrimRefs. Frees the parent's arrays.
 [[nodiscard]] ExactChildren splice(ExactNode&& node, const Classification& classification,
                                    Partition&& sides);
 

@@ -1,5 +1,6 @@
-// One pass over the sorted events of each axis gives the counts on both sides of every plane at
-// one. Cost: O(n) a node. Source: [WaldHavran2006] sec. 4.2.
+// One pass over the sorted events of each axis gives the counts on both sides of the plane at every
+// event. Cost: O(n) a node.
+// Source: [WaldHavran2006] sec. 4.2.
 
 #include "builders/kd/exact/sweep.h"
 
@@ -21,12 +22,12 @@ BestSplit sweep_axis_events(const EventList& events, const PlaneEvaluator& evalu
     for (std::size_t i = 0; i < events.size();) {
         look.at(i);
         const float position = position_of(events[i]);
-        std::array<double, 3> passed{};  // by kind
+        std::array<double, 3> passed{};  // weights of events at this position, by kind
         for (; i < events.size() && position_of(events[i]) == position; ++i) {
             passed[static_cast<std::size_t>(kind_of(events[i]))] += weight_of(events[i]);
         }
         const auto [ends, planars, starts] = passed;
-        // At the plane: what ends here is below it, what starts here is above.
+        // PrimRefs that end at the plane are below it, those that start there above it.
         counts.above -= ends + planars;
         counts.in_plane = planars;
         if (evaluator.is_inside(position)) best.offer(evaluator.evaluate(position, counts));
@@ -39,7 +40,7 @@ BestSplit sweep_axis_events(const EventList& events, const PlaneEvaluator& evalu
 
 std::optional<SplitCandidate> sweep(const ExactNode& node, const Aabb& box, double weight,
                                     const SahCostModel& cost) {
-    // No weight is less than one: where they are as many as the PrimRefs, each is one.
+    // Weights are at least 1. If their sum equals the number of PrimRefs, each is 1.
     const bool are_all_one = weight == static_cast<double>(node.prim_refs.size());
     std::array<BestSplit, 3> best_of_axis;
     for_each_axis(node.prim_refs.size(), [&](Axis axis) {

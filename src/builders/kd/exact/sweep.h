@@ -9,7 +9,7 @@
 namespace coppice::inline v0 {
 
 /// The cheapest split of a node at any event on any axis; of equal ones the first by axis, then by
-/// position: what ExactSplit finds. `weight`: of its PrimRefs.
+/// position. Equals the split of ExactSplit. `weight` is the sum of the PrimRefs' weights.
 [[nodiscard]] std::optional<SplitCandidate> sweep(const ExactNode& node, const Aabb& box,
                                                   double weight, const SahCostModel& cost);
 
