@@ -15,7 +15,7 @@
 namespace coppice::inline v0 {
 namespace {
 
-// An exact sum of doubles: an expansion of non-overlapping components, the largest last.
+// A sum of doubles without rounding: non-overlapping components, the largest last.
 class Expansion {
 public:
     static constexpr std::size_t max_terms = 96;
