@@ -31,6 +31,8 @@ function(coppice_target target)
     -Wno-missing-field-initializers # {.rate = 0.05} leaves the rest at its defaults on purpose
     # In clang-tidy's place, whose modernize-use-nullptr mistakes what C++20 makes of `tuple < tuple`;
     # and g++ 12 is wrong about "a" + std::string (GCC bug 105651).
+    # a & b of two conditions means without a branch.
+    $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>
     $<$<CXX_COMPILER_ID:GNU>:-Wzero-as-null-pointer-constant -Wno-restrict>)
   if(COPPICE_WERROR)
     target_compile_options(${target} PRIVATE -Werror)

@@ -1,6 +1,14 @@
 #pragma once
 
-#if defined(__SANITIZE_THREAD__)
+#if defined(__has_feature)  // clang's way to tell
+#if __has_feature(thread_sanitizer)
+#define COPPICE_THREAD_SANITIZER
+#endif
+#elif defined(__SANITIZE_THREAD__)  // and g++'s
+#define COPPICE_THREAD_SANITIZER
+#endif
+
+#if defined(COPPICE_THREAD_SANITIZER)
 #include <sanitizer/tsan_interface.h>
 #endif
 
@@ -34,7 +42,7 @@ public:
     };
 
 private:
-#if defined(__SANITIZE_THREAD__)
+#if defined(COPPICE_THREAD_SANITIZER)
     static void acquire(char* mark) noexcept {
         __tsan_acquire(mark);
     }
