@@ -93,7 +93,8 @@ template <typename Options, typename Pipeline>
 /// A number of bytes as readable text, e.g. "1.5 GiB".
 [[nodiscard]] std::string bytes_text(double bytes);
 
-/// "WHAT would take about 1.5 GiB of memory beside 200 MiB of primitives; the limit is 1 GiB".
+/// The message for an exceeded memory limit, e.g. "WHAT would take about 1.5 GiB of memory beside
+/// the 200 MiB of its primitives; the limit is 1 GiB".
 [[nodiscard]] std::string excess_text(std::string_view what, const BuildEstimate& estimate,
                                       const BuildControl& control);
 

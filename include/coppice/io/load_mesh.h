@@ -41,7 +41,7 @@ struct LoadReport {
     LoadIssue duplicate_triangles;  ///< kept: same corner positions as an earlier one, in any order
     LoadIssue
         duplicate_vertices;     ///< kept: same position as an earlier vertex; -0 and +0 are equal
-    LoadIssue unused_vertices;  ///< kept: in no triangle (none of a point cloud counts)
+    LoadIssue unused_vertices;  ///< kept: in no triangle (not counted for point clouds)
     std::uint64_t negative_index_count = 0;   ///< relative (negative) OBJ indices, resolved
     std::uint64_t ignored_line_count = 0;     ///< OBJ statements other than v and f
     std::uint64_t ignored_element_count = 0;  ///< rows of PLY elements that hold no triangles

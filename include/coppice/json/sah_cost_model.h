@@ -7,8 +7,7 @@
 
 namespace coppice::inline v0 {
 
-/// Serializes a model, all constants under their own names; one of your own as `custom`: true
-/// beside them.
+/// Serializes all constants under their own names. A custom model adds `custom`: true.
 COPPICE_EXPORT void to_json(nlohmann::json& json, const SahCostModel& model);
 
 }  // namespace coppice::inline v0

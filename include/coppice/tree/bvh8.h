@@ -49,15 +49,15 @@ public:
     /// True if the slot holds a leaf.
     [[nodiscard]] constexpr bool is_leaf() const noexcept { return (bits_ & leaf_bit) != 0; }
 
-    /// Inner nodes only.
+    /// The index of the inner node. Inner nodes only.
     [[nodiscard]] constexpr std::uint32_t node() const noexcept { return bits_; }
 
-    /// Leaves only.
+    /// The index of the first block. Leaves only.
     [[nodiscard]] constexpr std::uint32_t first_block() const noexcept {
         return bits_ & max_block_index;
     }
 
-    /// Leaves only.
+    /// The number of blocks. Leaves only.
     [[nodiscard]] constexpr std::uint32_t block_count() const noexcept {
         return (bits_ >> count_shift & (max_block_count - 1)) + 1;
     }
@@ -74,20 +74,21 @@ private:
     std::uint32_t bits_;
 };
 
-/// Eight children with their boxes, bound by bound as the kernels load them. Empty slots come last
-/// and have an empty box.
+/// An inner node: eight children with their boxes, stored bound by bound as the kernels load them.
+/// Empty slots come last and have an empty box.
 struct alignas(64) Bvh8Node {
     std::array<std::array<float, bvh8_width>, 6> bound;  ///< lower x, y, z, upper x, y, z
-    std::array<Bvh8Child, bvh8_width> child;             ///< what each slot holds
-    std::array<std::uint32_t, 8> unused{};  ///< up to whole cache lines; 0, so that bytes compare
+    std::array<Bvh8Child, bvh8_width> child;             ///< content of each slot
+    std::array<std::uint32_t, 8>
+        unused{};  ///< padding to whole cache lines; 0, so that bytes can be compared
 
-    /// The box of one child.
+    /// The box of the child in a slot.
     [[nodiscard]] Aabb child_box(std::size_t slot) const noexcept {
         return {{bound[0][slot], bound[1][slot], bound[2][slot]},
                 {bound[3][slot], bound[4][slot], bound[5][slot]}};
     }
 
-    /// Sets one slot.
+    /// Sets the box and the content of a slot.
     void set(std::size_t slot, const Aabb& box, Bvh8Child what) noexcept {
         for (const Axis axis : all_axes) {
             bound[static_cast<std::size_t>(axis)][slot] = box.lower[axis];
@@ -99,17 +100,17 @@ struct alignas(64) Bvh8Node {
 
 static_assert(sizeof(Bvh8Node) == 256);
 
-/// Up to eight triangles of a leaf, corner by corner and axis by axis as the kernels load them.
-/// Lanes without a triangle come last; they have the id `no_triangle` and corners of NaN, which no
-/// ray hits.
+/// Up to eight triangles of a leaf, stored corner by corner and axis by axis as the kernels load
+/// them. Lanes without a triangle come last. They have the id `no_triangle` and corners of NaN, so
+/// that no ray hits them.
 struct alignas(64) TriangleBlock {
     /// The id of a lane without a triangle.
     static constexpr std::uint32_t no_triangle = 0xffffffff;
 
     std::array<std::array<std::array<float, bvh8_width>, 3>, 3> corner;  ///< [corner][axis][lane]
-    std::array<std::uint32_t, bvh8_width> id;  ///< of the triangle in each lane
+    std::array<std::uint32_t, bvh8_width> id;  ///< id of the triangle in each lane
 
-    /// The corners in one lane.
+    /// The corners of the triangle in a lane.
     [[nodiscard]] Triangle triangle(std::size_t lane) const noexcept {
         const auto at = [&](std::size_t vertex) {
             return Vec3f{corner[vertex][0][lane], corner[vertex][1][lane], corner[vertex][2][lane]};
@@ -120,32 +121,33 @@ struct alignas(64) TriangleBlock {
 
 static_assert(sizeof(TriangleBlock) == 320);
 
-/// An immutable 8-wide bounding volume hierarchy over triangles, with a copy of their corners:
-/// what rays are traced against. Node 0 is the root; children follow their parents; the blocks of
-/// a leaf stand together. Copies share their arrays.
+/// An immutable 8-wide bounding volume hierarchy (BVH) over triangles, with a copy of their
+/// corners. Rays are traced against it. Node 0 is the root, children follow their parents, and the
+/// blocks of a leaf are contiguous. Copies share their arrays.
 class COPPICE_EXPORT Bvh8 {
 public:
-    /// No node is deeper (the root's depth is 0), so that traversals do with a stack of fixed size.
+    /// The greatest depth of a node; the root has depth 0. The limit lets traversals use a stack of
+    /// fixed size.
     static constexpr int max_depth = 64;
 
-    /// The tree of nothing: a root without children.
+    /// A tree over no triangles: a root without children.
     Bvh8();
 
-    /// A tree in arrays of the order described above, which `storage` keeps alive. Throws
-    /// Error(invalid_argument) if `nodes` is empty; validate() checks the rest.
+    /// A tree that refers to arrays which `storage` keeps alive, in the order described above.
+    /// Throws Error(invalid_argument) if `nodes` is empty; validate() checks everything else.
     Bvh8(std::shared_ptr<const void> storage, std::span<const Bvh8Node> nodes,
          std::span<const TriangleBlock> blocks, const Aabb& bounds);
 
     /// All nodes, the root first.
     [[nodiscard]] std::span<const Bvh8Node> nodes() const noexcept { return nodes_; }
 
-    /// The triangles of all leaves.
+    /// The triangle blocks of all leaves.
     [[nodiscard]] std::span<const TriangleBlock> blocks() const noexcept { return blocks_; }
 
-    /// The box of all triangles.
+    /// The bounding box of all triangles.
     [[nodiscard]] const Aabb& bounds() const noexcept { return bounds_; }
 
-    /// Bytes of nodes and blocks.
+    /// The size of nodes and blocks in bytes.
     [[nodiscard]] std::uint64_t byte_count() const noexcept {
         return nodes_.size_bytes() + blocks_.size_bytes();
     }

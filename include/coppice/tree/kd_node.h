@@ -45,38 +45,38 @@ public:
     /// True for a leaf, false for an inner node.
     [[nodiscard]] bool is_leaf() const noexcept { return (tagged_ & axis_mask) == leaf_tag; }
 
-    /// Inner nodes only.
+    /// The axis of the plane. Inner nodes only.
     [[nodiscard]] Axis axis() const noexcept { return static_cast<Axis>(tagged_ & axis_mask); }
 
-    /// Inner nodes only.
+    /// The position of the plane. Inner nodes only.
     [[nodiscard]] float position() const noexcept {
         float position = 0.0F;
         std::memcpy(&position, &payload_, sizeof position);
         return position;
     }
 
-    /// Inner nodes only.
+    /// The plane. Inner nodes only.
     [[nodiscard]] SplitPlane plane() const noexcept { return {axis(), position()}; }
 
-    /// Inner nodes only.
+    /// The side of primitives in the plane. Inner nodes only.
     [[nodiscard]] PlanarSide planar_side() const noexcept {
         return static_cast<PlanarSide>(tagged_ >> flag_shift & 1U);
     }
 
-    /// Inner nodes only: index of the child below the plane.
+    /// The index of the child below the plane. Inner nodes only.
     [[nodiscard]] std::uint32_t lower_child() const noexcept { return tagged_ >> tag_bits; }
 
-    /// Inner nodes only: index of the child above the plane.
+    /// The index of the child above the plane. Inner nodes only.
     [[nodiscard]] std::uint32_t upper_child() const noexcept { return lower_child() + 1; }
 
-    /// Leaves only: index of the first reference.
+    /// The index of the first reference. Leaves only.
     [[nodiscard]] std::uint32_t first_reference() const noexcept { return payload_; }
 
-    /// Leaves only.
+    /// The number of references. Leaves only.
     [[nodiscard]] std::uint32_t reference_count() const noexcept { return tagged_ >> tag_bits; }
 
-    /// Leaves only: `none` if no primitive of the sample was in this leaf. If it has references all
-    /// the same, it is a cell that is empty in the sample but holds primitives.
+    /// Whether the leaf held any primitive of the sample. Leaves only. A leaf with `none` that has
+    /// references is a cell that is empty in the sample but holds primitives.
     [[nodiscard]] SampleContent in_sample() const noexcept {
         return static_cast<SampleContent>(tagged_ >> flag_shift & 1U);
     }

@@ -53,12 +53,12 @@ public:
     /// The box that the planes divide.
     [[nodiscard]] const Aabb& bounds() const noexcept { return bounds_; }
 
-    /// Bytes of nodes and references.
+    /// The size of nodes and references in bytes.
     [[nodiscard]] std::uint64_t byte_count() const noexcept {
         return nodes_.size_bytes() + references_.size_bytes();
     }
 
-    /// True for equal arrays and boxes.
+    /// True if both trees have equal arrays and boxes.
     friend bool operator==(const KdTree& a, const KdTree& b) noexcept;
 
 private:
@@ -71,7 +71,8 @@ private:
 
     KdTree(std::shared_ptr<Arrays> arrays, const Aabb& bounds);
 
-    /// The nodes, moved where no other tree shares them; leaves the tree of nothing.
+    /// Moves the nodes out, or copies them if another tree shares them. Leaves a tree over no
+    /// primitives.
     [[nodiscard]] std::vector<KdNode> release_nodes();
 
     std::shared_ptr<Arrays> arrays_;       // null if the arrays are in storage_, or static
@@ -81,20 +82,21 @@ private:
     Aabb bounds_;
 };
 
-/// A k-d tree whose leaves have been emptied: the planes stay, the references are gone. Made by
-/// empty_leaves(), filled again by refill().
+/// A k-d tree whose leaves have been emptied: it has planes, but no references. Made by
+/// empty_leaves() and filled again by refill().
 class COPPICE_EXPORT Skeleton {
 public:
     /// Empties the leaves of a tree and frees its references.
     explicit Skeleton(KdTree&& tree);
 
-    /// No leaf has references; each records whether it had any (KdNode::in_sample).
+    /// All nodes. No leaf has references, and each leaf records whether it had any
+    /// (KdNode::in_sample).
     [[nodiscard]] std::span<const KdNode> nodes() const noexcept { return nodes_; }
 
     /// The box that the planes divide.
     [[nodiscard]] const Aabb& bounds() const noexcept { return bounds_; }
 
-    /// Gives up the nodes, for a refill in place; the skeleton is left without nodes.
+    /// Moves the nodes out, for a refill in place. The skeleton is left without nodes.
     [[nodiscard]] std::vector<KdNode> release_nodes() && noexcept { return std::move(nodes_); }
 
 private:
