@@ -25,8 +25,8 @@ std::vector<float> gather(std::span<const std::uint32_t> references, PointCloudV
     for (std::size_t i = 0; i < references.size(); ++i) {
         if (references[i] >= points.size()) {
             throw Error(ErrorCode::invalid_argument,
-                        fmt::format("the tree refers to point {}, but there are {}", references[i],
-                                    points.size()));
+                        fmt::format("the tree refers to point {}, but there are {} points",
+                                    references[i], points.size()));
         }
         const Vec3f point = points.points()[references[i]];
         coordinates[i] = point.x;

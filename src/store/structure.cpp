@@ -75,8 +75,8 @@ std::string find_flaw(const KdTree& tree, std::uint32_t primitive_count) {
     const std::size_t bad = find_first(
         references.size(), [&](std::size_t at) { return references[at] < primitive_count; });
     if (bad == references.size()) return {};
-    return fmt::format("reference {} is to primitive {} of {}", bad, references[bad],
-                       primitive_count);
+    return fmt::format("reference {} is to primitive {}, but there are {} primitives", bad,
+                       references[bad], primitive_count);
 }
 
 std::string find_flaw(const Bvh8& tree, std::uint32_t primitive_count) {

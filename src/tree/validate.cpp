@@ -103,7 +103,7 @@ private:
         for (std::size_t k = 0; k < ids.size(); ++k) {
             if (ids[k] >= primitives_.size()) {
                 findings_.report(ValidationIssueKind::bad_reference, index,
-                                 "leaf {} refers to {} of {} primitives", index, ids[k],
+                                 "leaf {} refers to primitive {}, but there are {}", index, ids[k],
                                  primitives_.size());
             } else {
                 is_referenced_[ids[k]] = true;

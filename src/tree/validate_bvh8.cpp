@@ -108,7 +108,8 @@ private:
             if (id == TriangleBlock::no_triangle) continue;
             if (id >= mesh_.size()) {
                 findings_.report(ValidationIssueKind::bad_reference, at,
-                                 "block {} refers to {} of {} triangles", at, id, mesh_.size());
+                                 "block {} refers to triangle {}, but there are {}", at, id,
+                                 mesh_.size());
                 continue;
             }
             if (block.triangle(lane) != mesh_.triangle(id)) {

@@ -145,8 +145,9 @@ TEST(BuildBvh8, RefusesMoreTrianglesThanItsBlocksCanHold) {
         ADD_FAILURE() << "no exception";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::limit);
-        EXPECT_STREQ(error.what(),
-                     "1073741825 triangles; an 8-wide tree can hold at most 1073741824");
+        EXPECT_STREQ(
+            error.what(),
+            "the mesh has 1073741825 triangles; an 8-wide tree can hold at most 1073741824");
     }
 }
 

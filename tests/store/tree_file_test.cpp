@@ -268,7 +268,7 @@ TEST(TreeFile, AForgedKdTreeCannotLeadOutOfItsArrays) {
     EXPECT_NE(error_with_root(KdNode::make_leaf(0xffffffff, 1)), "");
     EXPECT_EQ(error_of_tree(with_changed<std::uint32_t>(bytes, references,
                                                         [](std::uint32_t& id) { id = 128; })),
-              start + "reference 0 is to primitive 128 of 128");
+              start + "reference 0 is to primitive 128, but there are 128 primitives");
 }
 
 TEST(TreeFile, ATreeTooDeepIsRefused) {

@@ -187,7 +187,8 @@ void require_few_enough(TriangleMeshView mesh) {
     constexpr std::uint32_t most = bvh8_width * (Bvh8Child::max_block_index + 1);
     if (mesh.size() <= most) return;
     throw Error(ErrorCode::limit,
-                fmt::format("{} triangles; an 8-wide tree can hold at most {}", mesh.size(), most));
+                fmt::format("the mesh has {} triangles; an 8-wide tree can hold at most {}",
+                            mesh.size(), most));
 }
 
 Bvh8Build build(TriangleMeshView mesh, const Bvh8Options& options, const BuildControl& control) {

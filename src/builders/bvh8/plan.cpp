@@ -10,8 +10,8 @@ namespace {
 constexpr double quality_from = 30.0;
 
 // The greatest number of references per triangle. Of 1.1, 1.15 and 1.25, the first gives up a third
-// of the gain of spatial splits in the forest scene and nothing elsewhere, and stays below 56 bytes
-// a triangle.
+// of the gain of spatial splits in the forest scene and nothing elsewhere, and stays within 56
+// bytes a triangle.
 constexpr double most_references = 1.1;
 
 Bvh8Preset choose_preset(const Bvh8Options& options, std::uint32_t triangle_count) {

@@ -50,7 +50,7 @@ inline void grow(Box8& box, Lanes piece) noexcept {
     store_box(max(piece, load_box(box)), box);
 }
 
-// True if a box is not empty on any axis.
+// True if the box is not empty: no axis has inverted bounds.
 inline bool has_extent(Lanes box) noexcept {
     constexpr unsigned all_axes_bits = 0b111;
     const Quad extent = lower_half(box) + upper_half(box);
