@@ -82,7 +82,7 @@ constexpr std::array methods{
     Method{"exact", "k-d tree, every plane of all primitives considered: the reference for quality",
            exact},
     Method{"binned", "k-d tree, planes from bins, moved to the best end nearby", binned},
-    Method{"sampled", "k-d tree, upper levels from a sample of 1 %, built on with all primitives",
+    Method{"sampled", "k-d tree, upper levels from a sample of 1 %, refined with all primitives",
            sampled},
     Method{"subsampled", "k-d tree, each plane from a sample of its node", subsampled},
     Method{"adaptive", "k-d tree, 8 uniform planes and 8 where the cost changes most", adaptive},

@@ -30,7 +30,7 @@ std::span<const SplitFinderEntry> split_finder_registry() {
                          midpoint},
         SplitFinderEntry{"exact", "cheapest plane by the surface area heuristic on any axis",
                          exact},
-        SplitFinderEntry{"binned", "as exact in small nodes, else bins and the ends near the best",
+        SplitFinderEntry{"binned", "as exact in small nodes, else the best end near the best bin",
                          binned},
         SplitFinderEntry{"subsampled", "as binned, from 1024 PrimRefs of the node, bins only",
                          subsampled},
