@@ -1,4 +1,4 @@
-# coppice::core. What it takes from fmt is compiled into it and hidden.
+# coppice::core. Parts of fmt that it uses are compiled into it and hidden.
 find_package(fmt REQUIRED)
 
 set(COPPICE_TASKING tbb CACHE STRING "What runs tasks: tbb, or serial without threads and without oneTBB")

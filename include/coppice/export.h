@@ -1,7 +1,8 @@
 #pragma once
 
-/// Marks what a shared library of coppice offers; all else in it is hidden. Static libraries are
-/// compiled and used with COPPICE_STATIC, so that a library they are linked into does not offer it.
+/// Exports a declaration from a shared library of coppice; everything else in it is hidden. Static
+/// libraries are compiled and used with COPPICE_STATIC, so that a library that contains coppice
+/// does not export it.
 #if defined(COPPICE_STATIC)
 #define COPPICE_EXPORT
 #else

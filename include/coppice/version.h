@@ -2,12 +2,12 @@
 
 #include "coppice/export.h"
 
-/// The version of these headers; version() tells that of the library a program runs with.
+/// The version of these headers. version() returns that of the library a program runs with.
 #define COPPICE_VERSION_MAJOR 0
 #define COPPICE_VERSION_MINOR 1
 #define COPPICE_VERSION_PATCH 0
 
-/// The version as one number, to compare: 10203 is 1.2.3.
+/// The version as one number for comparisons: 10203 is 1.2.3.
 #define COPPICE_VERSION \
     (COPPICE_VERSION_MAJOR * 10000 + COPPICE_VERSION_MINOR * 100 + COPPICE_VERSION_PATCH)
 
@@ -21,7 +21,7 @@ struct Version {
     const char* text;  ///< "1.2.3"
 };
 
-/// The version of the library that runs; a shared one may be newer than the headers.
+/// The version of the library that is running. A shared library may be newer than the headers.
 [[nodiscard]] COPPICE_EXPORT Version version() noexcept;
 
 }  // namespace coppice::inline v0

@@ -1,4 +1,4 @@
-// What all backends of tasking share; tasking_tbb.cpp and tasking_serial.cpp have the rest.
+// Code that all tasking backends share. The rest is in tasking_tbb.cpp and tasking_serial.cpp.
 
 #include "coppice/base/parallel.h"
 

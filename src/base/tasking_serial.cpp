@@ -1,5 +1,6 @@
-// coppice/base/parallel.h on the calling thread alone (COPPICE_TASKING=serial), for builds without
-// oneTBB. Results do not depend on the number of threads, so they are those of any other backend.
+// Implements coppice/base/parallel.h on the calling thread alone (COPPICE_TASKING=serial), for
+// builds without oneTBB. Results equal those of the other backend, because they do not depend on
+// the number of threads.
 
 #include "coppice/base/error.h"
 #include "coppice/base/parallel.h"
@@ -9,7 +10,8 @@
 namespace coppice::inline v0 {
 namespace {
 
-/// One run_with_threads() on this thread's stack; a stop of any of them stops the work inside.
+/// A run_with_threads() that is active on this thread. A stop request of any of them cancels the
+/// work inside it.
 class Run {
 public:
     explicit Run(const std::stop_token& stop) noexcept : stop_(stop), outer_(innermost) {

@@ -1,7 +1,8 @@
-// coppice/base/parallel.h by oneTBB (COPPICE_TASKING=tbb); the only source that knows of it.
+// Implements coppice/base/parallel.h with oneTBB (COPPICE_TASKING=tbb). No other source depends on
+// oneTBB.
 //
-// oneTBB cancels all task groups below the one it is told to cancel. Its algorithms then return
-// early without an exception, so each call of one is followed by throw_if_cancelled().
+// When a oneTBB task group is cancelled, oneTBB cancels all groups below it. Its algorithms then
+// return early without an exception. Hence each call of one is followed by throw_if_cancelled().
 
 #include "coppice/base/error.h"
 #include "coppice/base/parallel.h"
@@ -47,8 +48,8 @@ int hardware_thread_count() noexcept {
 void run_with_threads(int thread_count, const std::function<void()>& work,
                       const std::stop_token& stop) {
     require_thread_count(thread_count);
-    // oneTBB has no more threads than the hardware, unless a program allows it, and prints a
-    // warning when asked for more.
+    // oneTBB uses no more threads than the hardware has, unless a program raises that limit, and
+    // prints a warning if asked for more.
     const int available = hardware_thread_count();
     const auto allowed = static_cast<int>(
         tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
@@ -70,7 +71,7 @@ void throw_if_cancelled() {
     if (tbb::is_current_task_group_canceling()) throw stopped();
 }
 
-// Contexts are made before the ForkJoin: tasks look into them (throw_if_cancelled()).
+// Contexts are constructed before the ForkJoin, because tasks read them in throw_if_cancelled().
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second) {
     tbb::task_group_context context;
     ForkJoin both;
@@ -97,7 +98,7 @@ void parallel_for_chunks(std::size_t count, std::size_t chunk_size,
 }
 
 void parallel_sort(std::span<std::uint64_t> values) {
-    constexpr std::size_t few = 4096;  // tasks would cost more than they save
+    constexpr std::size_t few = 4096;  // for fewer, tasks cost more than they save
     if (values.size() < few) {
         std::sort(values.begin(), values.end());
     } else {

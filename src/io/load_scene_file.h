@@ -13,8 +13,8 @@ namespace coppice::inline v0 {
 /// True if Assimp reads files with this extension, which includes the dot.
 [[nodiscard]] bool is_scene_file_extension(const std::string& extension);
 
-/// What to add to the error of an unknown extension: the formats that Assimp would read and how to
-/// get them, or nothing where there is Assimp.
+/// A supplement for the error message about an unknown extension: the formats that Assimp would
+/// read and how to enable them. Empty if the library was built with Assimp.
 [[nodiscard]] std::string_view missing_scene_formats() noexcept;
 
 /// Reads all meshes of a file through Assimp, once for each node that refers to them, in world

@@ -1,4 +1,4 @@
-// In the place of load_scene_file.cpp where the library is built without Assimp.
+// Replaces load_scene_file.cpp in builds without Assimp.
 
 #include "coppice/base/error.h"
 #include "coppice/io/load_mesh.h"

@@ -10,11 +10,12 @@
 
 namespace coppice::inline v0 {
 
-/// What runs tasks in this build of the library: "tbb", or "serial", where every number of threads
-/// means one.
+/// The tasking backend of this build of the library: "tbb", or "serial", which uses one thread
+/// whatever number is requested.
 [[nodiscard]] COPPICE_EXPORT const char* tasking_backend() noexcept;
 
-/// The number of hardware threads this process may use; at least 1, and 1 where tasks run serially.
+/// The number of hardware threads that this process may use; at least 1. It is 1 with the serial
+/// backend.
 [[nodiscard]] COPPICE_EXPORT int hardware_thread_count() noexcept;
 
 /// Throws Error(invalid_argument) if `thread_count` is negative. Every thread count in this library

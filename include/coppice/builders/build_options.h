@@ -28,7 +28,7 @@ using BuildOptions = std::variant<KdOptions, Bvh8Options>;
 /// The sampling options of either kind, to be modified.
 [[nodiscard]] COPPICE_EXPORT SampleOptions& sample_of(BuildOptions& options) noexcept;
 
-/// The cost model of either kind.
+/// The cost model of either kind. The finished tree is measured with it.
 [[nodiscard]] COPPICE_EXPORT const SahCostModel& cost_of(const BuildOptions& options) noexcept;
 
 /// The cost model of either kind, to be modified.

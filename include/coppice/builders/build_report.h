@@ -78,7 +78,8 @@ struct BuildReport {
 [[nodiscard]] COPPICE_EXPORT std::vector<BuildNote> notes_on(const KdOptions& options,
                                                              std::uint32_t primitive_count);
 
-/// Returns the options that would have no effect on a build of an 8-wide tree.
+/// Returns the options that would have no effect on a build of an 8-wide tree over
+/// `primitive_count` triangles, or another effect than they say.
 [[nodiscard]] COPPICE_EXPORT std::vector<BuildNote> notes_on(const Bvh8Options& options,
                                                              std::uint32_t primitive_count);
 

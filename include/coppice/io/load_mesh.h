@@ -50,16 +50,16 @@ struct LoadReport {
     std::vector<std::string> warnings;        ///< the first of Assimp's warnings
 };
 
-/// True if the library was built with Assimp, which reads STL, glTF, COLLADA and others; without it
-/// load_mesh() refuses them, naming what is missing.
+/// True if the library was built with Assimp, which reads STL, glTF, COLLADA and others. Without
+/// Assimp, load_mesh() throws Error(unsupported) for these formats and says how to enable them.
 [[nodiscard]] COPPICE_EXPORT bool can_load_scene_files() noexcept;
 
 /// Reads a triangle mesh. The extension selects the format: .obj and .ply, both also gzipped
-/// (.obj.gz, .ply.gz), .off, and through Assimp .stl, .gltf, .glb, .dae, .x3d, .3ds, .fbx and
-/// others. A file without an extension is recognized as OBJ, PLY or OFF by its first bytes.
-/// Polygons are cut into fans, and all scene transforms are applied. A PLY file without faces is a
-/// point cloud: a mesh without triangles. Vertices keep their order and are not merged (OBJ, PLY).
-/// Coordinates are rounded to the nearest floats.
+/// (.obj.gz, .ply.gz), .off, and, if the library was built with Assimp, .stl, .gltf, .glb, .dae,
+/// .x3d, .3ds, .fbx and others. A file without an extension is recognized as OBJ, PLY or OFF by its
+/// first bytes. Polygons are cut into fans, and all scene transforms are applied. A PLY file
+/// without faces is a point cloud: a mesh without triangles. Vertices keep their order and are not
+/// merged (OBJ, PLY). Coordinates are rounded to the nearest floats.
 ///
 /// `report`, if not null, receives the counts of all irregularities. `attributes`, if not null,
 /// receives materials (OBJ with its MTL files, Assimp) and normals (OBJ, PLY, Assimp). Missing or

@@ -79,8 +79,7 @@ private:
 struct alignas(64) Bvh8Node {
     std::array<std::array<float, bvh8_width>, 6> bound;  ///< lower x, y, z, upper x, y, z
     std::array<Bvh8Child, bvh8_width> child;             ///< content of each slot
-    std::array<std::uint32_t, 8>
-        unused{};  ///< padding to whole cache lines; 0, so that bytes can be compared
+    std::array<std::uint32_t, 8> unused{};  ///< padding; 0, so that nodes compare as bytes
 
     /// The box of the child in a slot.
     [[nodiscard]] Aabb child_box(std::size_t slot) const noexcept {
