@@ -15,9 +15,9 @@ namespace coppice::inline v0 {
 
 /// The version of a library.
 struct Version {
-    int major;
-    int minor;
-    int patch;
+    int major;         ///< raised by what breaks programs, from 1.0 on
+    int minor;         ///< before 1.0 raised by what breaks programs
+    int patch;         ///< raised by corrections
     const char* text;  ///< "1.2.3"
 };
 
