@@ -325,7 +325,8 @@ void run_request(const RenderRequest& request, Output& output) {
     for (const std::string& warning : report.warnings) {
         print_message("warning: " + warning);
     }
-    note_differences(report.build);
+    note_preset(report.build);
+    note_vain_options(report.build.notes, report.build.method, report.build.primitive_count);
     tell(report, request.as_json, output);
     if (result.is_complete()) return;
     const double share =

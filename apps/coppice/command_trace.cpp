@@ -13,6 +13,7 @@
 #include "tree_arguments.h"
 #include "verify/trace_run.h"
 #include "view_arguments.h"
+#include "watched_build.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -81,6 +82,7 @@ void run_request(TraceRequest& request, Output& output) {
     observer.on_progress = [&](const std::string& step) { progress.show(step); };
     observer.on_scene = [&](const lab::TraceScene& scene) {
         progress.clear();
+        note_vain_options(scene.notes, scene.method, static_cast<std::uint32_t>(scene.triangles));
         output.print((is_first ? "" : "\n") + lab::trace_text(options, scene));
         is_first = false;
     };

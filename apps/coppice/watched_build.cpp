@@ -98,15 +98,17 @@ void note_preset(const BuildReport& report) {
         fmt::format("note: {}: {} is taken instead", report.preset_reason, name_of(report.preset)));
 }
 
-void note_differences(const BuildReport& report) {
-    note_preset(report);
-    if (report.notes.empty()) return;
-    const BuildOptions own = find_method(report.method).options();
-    const std::vector<BuildNote> of_method = std::visit(
-        [&](const auto& options) { return notes_on(options, report.primitive_count); }, own);
-    for (const BuildNote& note : report.notes) {
-        if (std::find(of_method.begin(), of_method.end(), note) != of_method.end()) continue;
-        print_message(fmt::format("note: {}: {}", note.option, note.reason));
+void note_vain_options(std::span<const BuildNote> notes, std::string_view method,
+                       std::uint32_t primitive_count) {
+    if (notes.empty()) return;
+    const std::vector<BuildNote> of_method =
+        std::visit([&](const auto& own) { return notes_on(own, primitive_count); },
+                   find_method(method).options());
+    for (const BuildNote& note : notes) {
+        const bool is_asked_for =
+            std::find(of_method.begin(), of_method.end(), note) == of_method.end() &&
+            note.option != "sample.seed";  // --seed is that of rays, too
+        if (is_asked_for) print_message(fmt::format("note: {}: {}", note.option, note.reason));
     }
 }
 

@@ -5,8 +5,11 @@
 
 #include "text/progress_line.h"
 
+#include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace coppice::app {
 
@@ -18,7 +21,9 @@ void watch_build(lab::ProgressLine& progress, const std::string& what, const Bui
 /// Says on standard error that a memory limit led to another preset, if it did.
 void note_preset(const BuildReport& report);
 
-/// The same, and which options had no effect, but for those that the method has by itself.
-void note_differences(const BuildReport& report);
+/// Says on standard error which options of a build had no effect on this scene, but for those that
+/// the method has by itself.
+void note_vain_options(std::span<const BuildNote> notes, std::string_view method,
+                       std::uint32_t primitive_count);
 
 }  // namespace coppice::app

@@ -14,7 +14,7 @@ namespace {
 
 using testing::StartsWith;
 
-std::string error_of(const Bvh8Options& options) {
+std::string bvh8_error_of(const Bvh8Options& options) {
     try {
         require_valid(options);
     } catch (const Error& error) {
@@ -25,18 +25,18 @@ std::string error_of(const Bvh8Options& options) {
 }
 
 TEST(Bvh8Options, AcceptTheirRanges) {
-    EXPECT_EQ(error_of({}), "");
-    EXPECT_EQ(error_of({.expected_rays = std::numeric_limits<double>::infinity()}), "");
-    EXPECT_EQ(error_of({.expected_rays = 0.0, .cell_size = 64, .sampled_from = 0}), "");
+    EXPECT_EQ(bvh8_error_of({}), "");
+    EXPECT_EQ(bvh8_error_of({.expected_rays = std::numeric_limits<double>::infinity()}), "");
+    EXPECT_EQ(bvh8_error_of({.expected_rays = 0.0, .cell_size = 64, .sampled_from = 0}), "");
 }
 
 TEST(Bvh8Options, NameWhatIsOutside) {
-    EXPECT_EQ(error_of({.cell_size = 63}), "cell size 63 is outside [64, 2^32) and not 0");
-    EXPECT_EQ(error_of({.expected_rays = -1.0}), "expected rays -1 is outside [0, inf]");
-    EXPECT_THAT(error_of({.expected_rays = std::nan("")}), StartsWith("expected rays nan"));
-    EXPECT_EQ(error_of({.sample = {.rate = 2.0}}), "sample rate 2 is outside (0, 1]");
-    EXPECT_EQ(error_of({.threads = -1}), "threads must be 0 (all) or more, not -1");
-    EXPECT_THAT(error_of({.cost = {.intersection = 0.0}}), StartsWith("intersection cost 0"));
+    EXPECT_EQ(bvh8_error_of({.cell_size = 63}), "cell size 63 is outside [64, 2^32) and not 0");
+    EXPECT_EQ(bvh8_error_of({.expected_rays = -1.0}), "expected rays -1 is outside [0, inf]");
+    EXPECT_THAT(bvh8_error_of({.expected_rays = std::nan("")}), StartsWith("expected rays nan"));
+    EXPECT_EQ(bvh8_error_of({.sample = {.rate = 2.0}}), "sample rate 2 is outside (0, 1]");
+    EXPECT_EQ(bvh8_error_of({.threads = -1}), "threads must be 0 (all) or more, not -1");
+    EXPECT_THAT(bvh8_error_of({.cost = {.intersection = 0.0}}), StartsWith("intersection cost 0"));
 }
 
 TEST(Bvh8Options, PresetsHaveStableNames) {

@@ -15,7 +15,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-std::string error_of(const KdOptions& options) {
+std::string kd_error_of(const KdOptions& options) {
     try {
         require_valid(options);
     } catch (const Error& error) {
@@ -26,37 +26,37 @@ std::string error_of(const KdOptions& options) {
 }
 
 TEST(KdOptions, AcceptsItsRanges) {
-    EXPECT_EQ(error_of({}), "");
-    EXPECT_EQ(error_of({.sample = {.rate = 1e-300}}), "");
-    EXPECT_EQ(error_of({.split = {.max_depth = 0, .max_leaf = 1, .bad_refines = 1}}), "");
-    EXPECT_EQ(error_of({.split = {.max_depth = 60,
-                                  .max_leaf = std::numeric_limits<std::uint32_t>::max(),
-                                  .bad_refines = std::numeric_limits<int>::max()}}),
+    EXPECT_EQ(kd_error_of({}), "");
+    EXPECT_EQ(kd_error_of({.sample = {.rate = 1e-300}}), "");
+    EXPECT_EQ(kd_error_of({.split = {.max_depth = 0, .max_leaf = 1, .bad_refines = 1}}), "");
+    EXPECT_EQ(kd_error_of({.split = {.max_depth = 60,
+                                     .max_leaf = std::numeric_limits<std::uint32_t>::max(),
+                                     .bad_refines = std::numeric_limits<int>::max()}}),
               "");
-    EXPECT_EQ(error_of({.threads = 1000}), "");
+    EXPECT_EQ(kd_error_of({.threads = 1000}), "");
 }
 
 TEST(KdOptions, NamesWhatIsOutside) {
-    EXPECT_EQ(error_of({.sample = {.rate = 1.5}}), "sample rate 1.5 is outside (0, 1]");
-    EXPECT_THAT(error_of({.sample = {.rate = std::nan("")}}), StartsWith("sample rate nan"));
-    EXPECT_EQ(error_of({.sample = {.uniform_share = -0.5}}),
+    EXPECT_EQ(kd_error_of({.sample = {.rate = 1.5}}), "sample rate 1.5 is outside (0, 1]");
+    EXPECT_THAT(kd_error_of({.sample = {.rate = std::nan("")}}), StartsWith("sample rate nan"));
+    EXPECT_EQ(kd_error_of({.sample = {.uniform_share = -0.5}}),
               "uniform share -0.5 is outside [0, 1]");
-    EXPECT_EQ(error_of({.split = {.max_depth = -1}}), "max depth -1 is outside [0, 60]");
-    EXPECT_EQ(error_of({.split = {.max_depth = 61}}), "max depth 61 is outside [0, 60]");
-    EXPECT_EQ(error_of({.split = {.max_leaf = 0}}), "max leaf 0 is outside [1, 2^32)");
-    EXPECT_EQ(error_of({.split = {.bad_refines = 0}}), "bad refines 0 is outside [1, 2^31)");
-    EXPECT_EQ(error_of({.split = {.bad_refines = -7}}), "bad refines -7 is outside [1, 2^31)");
-    EXPECT_EQ(error_of({.split = {.max_duplication = 0}}),
+    EXPECT_EQ(kd_error_of({.split = {.max_depth = -1}}), "max depth -1 is outside [0, 60]");
+    EXPECT_EQ(kd_error_of({.split = {.max_depth = 61}}), "max depth 61 is outside [0, 60]");
+    EXPECT_EQ(kd_error_of({.split = {.max_leaf = 0}}), "max leaf 0 is outside [1, 2^32)");
+    EXPECT_EQ(kd_error_of({.split = {.bad_refines = 0}}), "bad refines 0 is outside [1, 2^31)");
+    EXPECT_EQ(kd_error_of({.split = {.bad_refines = -7}}), "bad refines -7 is outside [1, 2^31)");
+    EXPECT_EQ(kd_error_of({.split = {.max_duplication = 0}}),
               "max duplication 0 is outside [1, 2^32)");
-    EXPECT_EQ(error_of({.split = {.min_split = 0}}), "min split 0 is outside [1, 2^32)");
-    EXPECT_EQ(error_of({.threads = -1}), "threads must be 0 (all) or more, not -1");
-    EXPECT_EQ(error_of({.cost = {.traversal = -1.0}}), "traversal cost -1 is outside [0, inf)");
+    EXPECT_EQ(kd_error_of({.split = {.min_split = 0}}), "min split 0 is outside [1, 2^32)");
+    EXPECT_EQ(kd_error_of({.threads = -1}), "threads must be 0 (all) or more, not -1");
+    EXPECT_EQ(kd_error_of({.cost = {.traversal = -1.0}}), "traversal cost -1 is outside [0, inf)");
 }
 
 TEST(KdOptions, NamesWhatExists) {
-    EXPECT_THAT(error_of({.sample = {.sampler = "best"}}),
+    EXPECT_THAT(kd_error_of({.sample = {.sampler = "best"}}),
                 StartsWith("unknown sampler 'best'; choose one of: uniform"));
-    EXPECT_THAT(error_of({.split = {.rule = "best"}}),
+    EXPECT_THAT(kd_error_of({.split = {.rule = "best"}}),
                 StartsWith("unknown split rule 'best'; choose one of: sah, median, midpoint"));
 }
 

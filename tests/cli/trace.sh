@@ -18,10 +18,10 @@ for method in sampled fast; do
 done
 
 # Counts, as text and in the JSON; kinds in the order asked for.
-expect_exit 0 coppice trace balls.ply --size 10 --rays axis,random,axis --method exact --count \
+expect_exit 0 coppice trace balls.ply --size 10 --rays axis,primary,axis --method exact --count \
     --seed 3 --eye 50,60,70 --look-at 0,0,0 --json new/trace.json
 expect_stdout '^axis +nodes +[0-9]+\.[0-9]+ +[0-9]+ +[0-9]+ +[0-9]+ +[0-9]+$'
-expect_stdout '^random +primitives +[0-9]'
+expect_stdout '^primary +primitives +[0-9]'
 expect_stdout '^written: new/trace.json$'
 expect_equal "$(python3 - <<'PY'
 import json
@@ -37,7 +37,7 @@ for row in scene["rows"]:
 print(trace["options"]["method"], trace["options"]["seed"], scene["camera"]["eye"])
 PY
 )" "axis False
-random False
+primary False
 exact 3 [50.0, 60.0, 70.0]"
 
 expect_exit 0 coppice trace balls.ply --size 10 --rays shadow,grazing --method fast --count

@@ -73,5 +73,8 @@ print(report["options"]["sample"]["rate"], report["sample"]["rate"],
       [note["option"] for note in report["notes"]])' <<<"$stdout")" "0.05 1.0 ['sample.rate']"
 expect_exit 0 coppice render balls.ply -o a.png "${quick[@]}" --sample 5%
 expect_stderr '^coppice: note: sample.rate: the scene has '
+expect_exit 0 coppice trace balls.ply --size 4 --sample 5% --seed 2
+expect_stderr '^coppice: note: sample.rate: the scene has '
+expect_stderr_one_line
 expect_exit 0 coppice render balls.ply -o a.png "${quick[@]}" --method fast # whose sample that is
 expect_stderr_empty

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coppice/builders/build_report.h"
 #include "coppice/geom/ray.h"
 
 #include "scenes/camera.h"
@@ -71,8 +72,9 @@ struct TraceScene {
     std::string scene;
     std::filesystem::path file;
     std::uint64_t triangles = 0;
-    double build_seconds = 0.0;  ///< or to load it
-    std::string method;          ///< of the tree
+    double build_seconds = 0.0;    ///< or to load it
+    std::string method;            ///< of the tree
+    std::vector<BuildNote> notes;  ///< on options that had no effect on its build
     render::Camera camera;
     Vec3f light;
     std::vector<TraceRow> rows;

@@ -15,6 +15,7 @@
 #include "scenes/scene_names.h"
 #include "scenes/trace_rays.h"
 #include "tracers/memory_limit.h"
+#include "tracers/ray_tracer.h"
 #include "tracers/traced_tree.h"
 #include "verify/trace_check.h"
 
@@ -68,8 +69,11 @@ public:
         const Timer timer;
         if (run_.options.tree.empty()) {
             tell("building");
-            tree_.emplace(mesh_, run_.options.build,
-                          limit_memory(run_.options.memory_limit_bytes, mesh_));
+            BuildControl control = limit_memory(run_.options.memory_limit_bytes, mesh_);
+            control.is_measured = false;
+            render::AnyBuild built = render::build_tree(mesh_, run_.options.build, control);
+            scene_.notes = std::move(built.report.notes);
+            tree_.emplace(mesh_, std::move(built.tree));
             scene_.method = run_.options.method;
         } else {
             tell("loading its tree");
