@@ -4,6 +4,7 @@
 set -euo pipefail
 tool_path=$(realpath "$0")
 tool=$(basename "$0")
+pause_seconds=10 # between two lines on how far something is
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 say() { echo "coppice $tool: $*"; }
@@ -39,13 +40,13 @@ apt_get() {
         -o DPkg::Lock::Timeout=120 -o APT::Sandbox::User=root "$@"
 }
 
-# logged LOG CMD...: runs CMD with its words going to LOG. Where that takes long, a line every 10
-# seconds tells how long already and the last of those words.
+# logged LOG CMD...: runs CMD with its words going to LOG. Where that takes long, a line every
+# `pause_seconds` tells how long already and the last of those words.
 logged() {
     local log=$1 code=0 ticker
     shift
     : >"$log"
-    report_every 10 "$log" &
+    report_every "$pause_seconds" "$log" &
     ticker=$!
     "$@" >"$log" 2>&1 </dev/null || code=$?
     kill $ticker 2>/dev/null || true
