@@ -1,12 +1,15 @@
 #pragma once
 
+#include "interrupts.h"
 #include "output.h"
 
 #include <CLI/CLI.hpp>
 
 #include <functional>
+#include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace coppice::app {
@@ -37,8 +40,22 @@ public:
 [[nodiscard]] Command add_list(CLI::App& program);
 [[nodiscard]] Command add_generate(CLI::App& program);
 
+/// A command over scenes: requires at least one, then calls `run(*request, output)`. The request
+/// has `scenes`, as add_scenes() fills them in.
+template <typename Request, typename Run>
+[[nodiscard]] Command scene_command(CLI::App* parser, std::shared_ptr<Request> request, Run run);
+
 /// Throws UsageError unless there is at least one scene. Those that come through pipes are taken
 /// from there, see take_piped_scenes().
 void require_scenes(const CLI::App& command, std::vector<std::string>& scenes);
+
+template <typename Request, typename Run>
+Command scene_command(CLI::App* parser, std::shared_ptr<Request> request, Run run) {
+    return {parser, [parser, request = std::move(request), run](Output& output) {
+                require_scenes(*parser, request->scenes);
+                wipe_line_on_interrupt();
+                run(*request, output);
+            }};
+}
 
 }  // namespace coppice::app

@@ -79,14 +79,6 @@ void add_how(CLI::App& parser, lab::BenchOptions& options) {
                [&options] { options.is_batched = true; });
 }
 
-void add_view(CLI::App& parser, lab::BenchOptions& options) {
-    add_whole(parser, {"--size", "N", "Pixels of the image, each way", "1024"}, options.size, 1,
-              lab::BenchOptions::max_size);
-    add_camera(parser, options.camera);
-    add_whole(parser, {"--seed", "N", "Of the bounces' directions", "1"}, options.seed, 0,
-              std::numeric_limits<std::int64_t>::max());
-}
-
 void run_request(BenchRequest& request, Output& output) {
     lab::BenchOptions& options = request.options;
     options.scenes.assign(request.scenes.begin(), request.scenes.end());
@@ -107,8 +99,7 @@ void run_request(BenchRequest& request, Output& output) {
         output.print(ratios);
     }
     if (request.json.empty()) return;
-    write_json_file(request.json, lab::bench_document(options, result));
-    output.print(fmt::format("written: {}\n", request.json));
+    write_json_file(request.json, lab::bench_document(options, result), output);
 }
 
 /// True if nothing that is measured makes use of arrays of rays.
@@ -129,7 +120,8 @@ Command add_bench(CLI::App& program) {
     add_scenes(*parser, request->scenes);
     add_who(*parser, request->options);
     add_how(*parser, request->options);
-    add_view(*parser, request->options);
+    add_measured_view(*parser, "1024", lab::BenchOptions::max_size, request->options.size,
+                      request->options.camera, request->options.seed);
     add_text(*parser, {"--json", "FILE", "Also write all figures to a file", ""}, request->json);
     parser->footer(
         "Examples:\n"
@@ -137,15 +129,13 @@ Command add_bench(CLI::App& program) {
         "  coppice bench scenes/dragon.obj --methods exact,binned --rays primary --threads 1\n"
         "  coppice bench scenes/*.obj --runs 11 --json bench.json\n"
         "The names of methods and peers are explained by `coppice list`.");
-    return {parser, [parser, request](Output& output) {
-                require_scenes(*parser, request->scenes);
-                refuse_vain(*parser, "--seed", !has_bounces(request->options.rays),
-                            "it is that of diffuse rays, and --rays has none");
-                refuse_vain(*parser, "--batched", takes_no_arrays(request->options),
-                            "k-d methods trace the rays of an array one by one");
-                wipe_line_on_interrupt();
-                run_request(*request, output);
-            }};
+    return scene_command(parser, request, [parser](BenchRequest& given, Output& output) {
+        refuse_vain(*parser, "--seed", !has_bounces(given.options.rays),
+                    "it is that of diffuse rays, and --rays has none");
+        refuse_vain(*parser, "--batched", takes_no_arrays(given.options),
+                    "k-d methods trace the rays of an array one by one");
+        run_request(given, output);
+    });
 }
 
 }  // namespace coppice::app

@@ -15,9 +15,10 @@
 #include "options.h"
 #include "scenes/scene_names.h"
 #include "text/build_text.h"
+#include "text/json_text.h"
 #include "text/progress_line.h"
 #include "tracers/memory_limit.h"
-#include "tracers/ray_tracer.h"
+#include "tracers/traced_tree.h"
 #include "tree_arguments.h"
 #include "watched_build.h"
 
@@ -48,11 +49,11 @@ BuildEstimate estimate(const BuildOptions& options, const TriangleMesh& mesh,
 }
 
 /// Builds, and reports what was expected; with a memory limit the library does the latter.
-render::AnyBuild build(const Method& method, const BuildOptions& options, const TriangleMesh& mesh,
-                       const BuildControl& control) {
+lab::AnyBuild build(const Method& method, const BuildOptions& options, const TriangleMesh& mesh,
+                    const BuildControl& control) {
     std::optional<BuildEstimate> expected;
     if (control.memory_limit_bytes == 0) expected = estimate(options, mesh, control.stop);
-    render::AnyBuild built = render::build_tree(mesh.view(), options, control);
+    lab::AnyBuild built = lab::build_tree(mesh.view(), options, control);
     built.report.method = method.name;
     if (expected) built.report.estimate = expected;
     return built;
@@ -84,7 +85,7 @@ void run_request(const BuildRequest& request, Output& output) {
         progress.show(names[i] + ": loading");
         const TriangleMesh mesh = load_mesh(files[i]);
         progress.show(names[i] + ": estimating");
-        render::AnyBuild built;
+        lab::AnyBuild built;
         watch_build(
             progress, names[i] + ": building",
             lab::limit_memory(request.build.memory_limit_bytes, mesh.view()),
@@ -111,18 +112,16 @@ void run_request(const BuildRequest& request, Output& output) {
         }
     }
     if (request.as_json) {
-        // File names need not be UTF-8; JSON must be.
-        const nlohmann::ordered_json document{{"scenes", scenes}};
-        output.print(
-            document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
+        output.print(lab::json_text(nlohmann::ordered_json{{"scenes", scenes}}));
     }
 }
 
 void check_output(const BuildRequest& request) {
     if (request.out.empty()) return;
     if (request.scenes.size() > 1) {
-        throw UsageError(
-            fmt::format("--out: one scene at a time; '{}' is a second one", request.scenes[1]));
+        throw UsageError(fmt::format(
+            "--out takes the tree of one scene; leave '{}' out, or build it in a run of its own",
+            request.scenes[1]));
     }
     check_tree_output(request.out, request.scenes.front());
 }
@@ -147,13 +146,11 @@ Command add_build(CLI::App& program) {
         "  coppice build scenes/dragon.obj -o dragon.cpk\n"
         "  coppice build scenes/*.obj --method exact --threads 1 --json\n"
         "The names of methods and samplers are explained by `coppice list`.");
-    return {parser, [parser, request](Output& output) {
-                require_scenes(*parser, request->scenes);
-                refuse_vain_options(*parser, request->build, {});
-                wipe_line_on_interrupt();
-                check_output(*request);
-                run_request(*request, output);
-            }};
+    return scene_command(parser, request, [parser](const BuildRequest& given, Output& output) {
+        refuse_vain_options(*parser, given.build, {});
+        check_output(given);
+        run_request(given, output);
+    });
 }
 
 }  // namespace coppice::app

@@ -9,6 +9,7 @@
 #include "interrupts.h"
 #include "options.h"
 #include "piped_scenes.h"
+#include "text/json_text.h"
 #include "text/progress_line.h"
 #include "tree_arguments.h"
 
@@ -85,8 +86,7 @@ std::string check_json(const CheckRequest& request, const Checked& checked) {
                                     {"subject", finding.subject},
                                     {"message", finding.message}});
     }
-    // File names need not be UTF-8; JSON must be.
-    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+    return lab::json_text(json);
 }
 
 Checked check_tree(const CheckRequest& request) {

@@ -33,8 +33,7 @@ void run_request(const CompareRequest& request, Output& output) {
     output.print(fmt::format("A: {}\nB: {}\n{}", request.files[0], request.files[1],
                              lab::comparison_text(comparison, options)));
     if (!request.json.empty()) {
-        write_json_file(request.json, lab::comparison_json(comparison, options));
-        output.print(fmt::format("written: {}\n", request.json));
+        write_json_file(request.json, lab::comparison_json(comparison, options), output);
     }
     const std::size_t worse_count = comparison.worse_count();
     if (worse_count == 0) return;

@@ -16,6 +16,7 @@
 #include "rows/output_folder.h"
 #include "rows/rays_text.h"
 #include "scenes/scene_names.h"
+#include "text/json_text.h"
 #include "text/progress_line.h"
 
 #include <fmt/format.h>
@@ -44,9 +45,9 @@ std::vector<lab::OutputFile> make_files(const lab::ExperimentRecord& record,
     const lab::ExperimentOptions& options = record.options;
     const nlohmann::ordered_json document = lab::results_document(options, results, record.command);
     return {{std::string(output_names[0]), lab::csv_text(results, options.rays)},
-            {std::string(output_names[1]), document.dump(2) + '\n'},
+            {std::string(output_names[1]), lab::json_text(document)},
             {std::string(output_names[2]), report::make_report(nlohmann::json(document), exhibits)},
-            {std::string(output_names[3]), nlohmann::json(record).dump(2) + '\n'}};
+            {std::string(output_names[3]), lab::json_text(nlohmann::json(record))}};
 }
 
 /// What the report shows beside numbers, unless it is not wanted.
@@ -62,11 +63,6 @@ std::vector<report::SceneExhibits> make_exhibits(const lab::ExperimentOptions& o
     return exhibits;
 }
 
-/// As JSON; names need not be UTF-8.
-std::string text_of(const nlohmann::json& value) {
-    return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
 /// Throws UsageError if options were given that are not those of the run to be resumed.
 void require_same_options(const ExperimentRequest& request, const lab::Journal& journal) {
     nlohmann::json given = request.options;
@@ -76,26 +72,27 @@ void require_same_options(const ExperimentRequest& request, const lab::Journal& 
     }
     for (const auto& [name, value] : given.items()) {
         if (begun[name] == value) continue;
-        throw UsageError(fmt::format(
-            "--resume: the run in {} was begun with {} {}, not {}; give the same options, or none",
-            request.resume, name, text_of(begun[name]), text_of(value)));
+        throw UsageError(
+            fmt::format("--resume: the run in {} was started with {} {}, not {}; give the same "
+                        "options, or none",
+                        request.resume, name, lab::json_line(begun[name]), lab::json_line(value)));
     }
 }
 
 /// The run that is to be resumed. Throws UsageError if it is not the one that the options ask for.
 lab::Journal open_journal(const CLI::App& parser, const ExperimentRequest& request) {
     if (!request.out.empty() && request.out != request.resume) {
-        throw UsageError("--resume: results go to the folder of the run; leave --out away");
+        throw UsageError("--resume writes to the folder of the run; leave --out out");
     }
     if (request.scenes.empty()) {
         refuse_other_options(parser, {"--resume"},
-                             "--resume goes on with the options that the run was begun with; give "
-                             "no others, or all of them and the scenes");
+                             "--resume uses the options that the run was started with; give none, "
+                             "or all of them and the scenes");
     }
     lab::Journal journal = lab::Journal::open(request.resume);
     if (!request.scenes.empty()) require_same_options(request, journal);
-    print_message(fmt::format("note: {}: {} finished trees are not built again", request.resume,
-                              journal.row_count()));
+    print_message(
+        fmt::format("note: {}: reusing {} finished trees", request.resume, journal.row_count()));
     return journal;
 }
 
@@ -106,15 +103,15 @@ lab::Journal begin_journal(ExperimentRequest& request, const std::vector<std::st
                                       : std::filesystem::path(request.out);
     if (lab::Journal::exists(options.out)) {
         print_message(
-            fmt::format("note: {0} has an unfinished experiment, which is replaced; --resume {0} "
-                        "goes on with it",
+            fmt::format("note: replacing the unfinished experiment in {0}; to continue it instead, "
+                        "stop this run and use --resume {0}",
                         options.out.string()));
     }
     return lab::Journal::begin(options, arguments);
 }
 
 bool is_finished(const std::filesystem::path& folder) {
-    std::error_code ignored;  // what is wrong with the name is told when the run is opened
+    std::error_code ignored;  // opening the run reports what is wrong with the name
     return !lab::Journal::exists(folder) &&
            std::filesystem::exists(folder / output_names[1], ignored);
 }
@@ -135,8 +132,8 @@ void run_journal(lab::Journal& journal, Output& output) {
         progress.clear();
         print_message("note: " + note);
     };
-    observer.find_finished = [&](const lab::RowKey& key) { return journal.find(key); };
-    observer.on_row = [&](const lab::RowKey& key, const lab::TreeFigures& figures) {
+    observer.find_finished = [&](const lab::TreeKey& key) { return journal.find(key); };
+    observer.on_row = [&](const lab::TreeKey& key, const lab::TreeFigures& figures) {
         const DeferInterrupts whole_line;
         journal.add(key, figures);
     };
@@ -165,12 +162,13 @@ void run_journal(lab::Journal& journal, Output& output) {
 /// go with that, and like load_record() and require_unchanged().
 void take_replayed(const CLI::App& parser, ExperimentRequest& request) {
     refuse_other_options(parser, {"--replay", "SCENE"},
-                         "--replay runs again what its file says; give nothing else but --out, and "
-                         "the scenes if they are elsewhere now");
+                         "--replay takes all options from its file; give only --out, and the "
+                         "scenes if they have moved");
     lab::ExperimentRecord record = lab::load_record(request.replay);
     if (!request.scenes.empty() && request.scenes.size() != record.contents.size()) {
-        throw UsageError(fmt::format("--replay: that run is of {} scenes, not {}",
-                                     record.contents.size(), request.scenes.size()));
+        throw UsageError(fmt::format(
+            "--replay: the run has {} scenes, but {} are given; give all of them, or none",
+            record.contents.size(), request.scenes.size()));
     }
     if (!request.scenes.empty()) {
         record.options.scenes.assign(request.scenes.begin(), request.scenes.end());
@@ -178,10 +176,10 @@ void take_replayed(const CLI::App& parser, ExperimentRequest& request) {
     lab::require_unchanged(record, "the run cannot be replayed");
     if (record.program_version != lab::coppice_version() ||
         record.git_revision != lab::git_revision()) {
-        print_message(
-            fmt::format("note: {} is of coppice {} ({}), this is {} ({}): results may differ",
-                        request.replay, record.program_version, record.git_revision,
-                        lab::coppice_version(), lab::git_revision()));
+        print_message(fmt::format(
+            "note: {} was made by coppice {} ({}), and this is {} ({}): results may differ",
+            request.replay, record.program_version, record.git_revision, lab::coppice_version(),
+            lab::git_revision()));
     }
     if (request.out.empty()) request.out = record.options.out.string() + "-replay";
     request.options = std::move(record.options);

@@ -8,6 +8,7 @@
 #include "options.h"
 #include "scenes/mesh_summary.h"
 #include "scenes/scene_names.h"
+#include "text/json_text.h"
 #include "text/progress_line.h"
 
 #include <fmt/format.h>
@@ -151,10 +152,8 @@ void show_info(const InfoOptions& options, Output& output) {
         }
     }
     if (options.as_json) {
-        // File names need not be UTF-8; JSON must be.
         const nlohmann::ordered_json document{{"scenes", scenes}};
-        output.print(
-            document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
+        output.print(lab::json_text(document));
     }
 }
 
@@ -172,11 +171,7 @@ Command add_info(CLI::App& program) {
         "Examples:\n"
         "  coppice info scenes/dragon.obj\n"
         "  coppice info scenes/*.obj --json");
-    return {parser, [parser, options](Output& output) {
-                require_scenes(*parser, options->scenes);
-                wipe_line_on_interrupt();
-                show_info(*options, output);
-            }};
+    return scene_command(parser, options, show_info);
 }
 
 }  // namespace coppice::app

@@ -3,11 +3,9 @@
 #include "coppice/base/error.h"
 #include "coppice/base/parallel.h"
 #include "coppice/base/timer.h"
-#include "coppice/io/load_mesh.h"
 #include "coppice/io/write_file.h"
 #include "coppice/store/tree_file.h"
 
-#include "build_arguments.h"
 #include "command.h"
 #include "interrupts.h"
 #include "options.h"
@@ -15,9 +13,12 @@
 #include "render/encode_image.h"
 #include "render/heat_map.h"
 #include "render/render_report.h"
+#include "render_arguments.h"
 #include "rows/output_folder.h"
+#include "scenes/load_triangles.h"
 #include "scenes/room_view.h"
 #include "scenes/scene_names.h"
+#include "text/json_text.h"
 #include "text/progress_line.h"
 #include "tracers/memory_limit.h"
 #include "tree_arguments.h"
@@ -38,111 +39,6 @@
 namespace coppice::app {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::max();
-
-/// Where the lamp is to be.
-enum class LampWish { automatic, none, given };
-
-/// The options as the parser fills them in.
-struct RenderRequest {
-    std::vector<std::string> scenes;
-    std::string out;
-    std::string integrator{"whitted"};
-    render::IntegratorOptions integrator_options{.ao_distance = 0.0};  // 0: by the scene's size
-    render::RenderOptions options;
-    render::CameraWish camera;
-    LampWish lamp_wish = LampWish::automatic;
-    render::Lamp lamp;
-    std::optional<Vec3f> sky;
-    render::DevelopOptions develop{.cost_scale = 0.0};  // 0: by the image
-    MethodRequest build;
-    std::string tree;
-    bool as_json = false;
-};
-
-void add_image(CLI::App& parser, RenderRequest& request) {
-    add_text(parser, {"-o,--out", "FILE", "The image to write: .png, .exr or .pfm", ""},
-             request.out);
-    add_name(parser,
-             {"--integrator", "NAME",
-              listing("What is shown", names_in(render::integrator_registry())), "whitted"},
-             request.integrator, names_in(render::integrator_registry()));
-    const auto read_size = [&options = request.options](const std::string& given) {
-        const PixelSize size = parse_size("--size", given, render::RenderOptions::max_size);
-        options.width = size.width;
-        options.height = size.height;
-    };
-    parser.add_option_function<std::string>("--size", read_size, "Pixels of the image")
-        ->type_name("WxH")
-        ->default_str("1280x720");
-    add_whole(parser, {"--spp", "N", "Samples per pixel", "16"}, request.options.samples, 1,
-              render::RenderOptions::max_samples);
-    add_number(parser, {"--exposure", "STOPS", "Brighter by so many factors of 2 (.png)", "0"},
-               request.develop.exposure, {-100.0, 100.0, "a number in [-100, 100]"});
-    add_number(parser,
-               {"--cost-scale", "N", "Steps at the end of the heat map (cost, .png)", "100"},
-               request.develop.cost_scale, {0.0, infinity, "a finite number > 0", false});
-    parser.get_option("--cost-scale")->default_str("by the image");
-}
-
-void add_light(CLI::App& parser, RenderRequest& request) {
-    const auto read_lamp = [&request](const std::string& given) {
-        if (given == "auto" || given == "none") {
-            request.lamp_wish = given == "auto" ? LampWish::automatic : LampWish::none;
-            return;
-        }
-        request.lamp_wish = LampWish::given;
-        request.lamp.position = parse_vector("--light", given);
-    };
-    parser
-        .add_option_function<std::string>("--light", read_lamp,
-                                          "Where the lamp is: X,Y,Z, none, or auto: near the\n"
-                                          "camera, unless the scene has light of its own")
-        ->type_name("WHERE")
-        ->default_str("auto");
-    add_number(parser, {"--light-radius", "R", "Size of the lamp: softness of its shadows", "0"},
-               request.lamp.radius, {0.0, infinity, "a finite number >= 0"});
-    const auto read_sky = [&request](const std::string& given) {
-        const Vec3f color = parse_vector("--sky", given);
-        if (std::min({color.x, color.y, color.z}) < 0.0F) {
-            throw UsageError(
-                fmt::format("--sky: '{}' has a negative number; example: --sky 1,1,1", given));
-        }
-        request.sky = color;
-    };
-    parser.add_option_function<std::string>("--sky", read_sky, "Light from where no surface is")
-        ->type_name("R,G,B")
-        ->default_str("blue, white at the top_tree");
-    add_whole(parser, {"--max-depth", "N", "Reflections and bounces in a row at most", "8"},
-              request.integrator_options.max_depth, 0, 1000);
-    add_number(parser, {"--ao-distance", "D", "What is further away does not occlude (ao)", "0.5"},
-               request.integrator_options.ao_distance,
-               {0.0, infinity, "a finite number > 0", false});
-    parser.get_option("--ao-distance")->default_str("a tenth of the scene");
-}
-
-/// What is given for another integrator or another kind of file.
-void refuse_vain_image_options(const CLI::App& parser, const RenderRequest& request) {
-    const render::IntegratorEntry& integrator = render::find_integrator(request.integrator);
-    const auto format = render::format_of(request.out);
-    const bool is_png = format == render::ImageFormat::png;
-    const bool is_light = integrator.display == render::Display::light;
-    const bool is_cost = integrator.display == render::Display::cost;
-    refuse_vain(parser, "--exposure", !is_png, ".exr and .pfm hold the light itself; write a .png");
-    refuse_vain(parser, "--cost-scale", !is_png, ".exr and .pfm hold the steps; write a .png");
-    const std::string no_light =
-        fmt::format("--integrator {} shows no light; whitted and path do", integrator.name);
-    for (const char* const name :
-         {"--exposure", "--light", "--light-radius", "--sky", "--max-depth"}) {
-        refuse_vain(parser, name, !is_light, no_light);
-    }
-    refuse_vain(parser, "--light-radius", request.lamp_wish == LampWish::none,
-                "--light none leaves no lamp");
-    refuse_vain(parser, "--cost-scale", !is_cost, "only --integrator cost has a heat map");
-    refuse_vain(parser, "--ao-distance", integrator.display != render::Display::share,
-                "only --integrator ao goes by it");
-}
 
 void check_output(const std::string& out) {
     const DeferInterrupts no_trace;
@@ -177,7 +73,7 @@ void check_camera(const RenderRequest& request, const TriangleMesh& mesh) {
 
 /// The camera and the lights for what a scene holds; tells the report of both.
 render::Lighting set_up(const RenderRequest& request, const TriangleMesh& mesh,
-                        const render::RayTracer& tracer, render::Emitters emitters,
+                        const lab::TracedTree& tracer, render::Emitters emitters,
                         render::RenderReport& report) {
     const lab::ChosenCamera chosen =
         lab::choose_camera(mesh.view(), tracer, request.camera, aspect_of(request.options));
@@ -206,21 +102,20 @@ double default_ao_distance(const Aabb& box) {
 }
 
 /// A tree built for the mesh, or loaded; tells the report which and how long it took.
-std::unique_ptr<render::RayTracer> make_tree(const RenderRequest& request, TriangleMeshView mesh,
-                                             render::RenderReport& report,
-                                             lab::ProgressLine& progress) {
+lab::TracedTree make_tree(const RenderRequest& request, TriangleMeshView mesh,
+                          render::RenderReport& report, lab::ProgressLine& progress) {
     if (request.tree.empty()) {
         const Method& method = find_method(request.build.method);
         report.tree = method.tree();
-        render::AnyBuild built;
+        lab::AnyBuild built;
         watch_build(progress, report.scene + ": building",
                     lab::limit_memory(request.build.memory_limit_bytes, mesh),
                     [&](const BuildControl& control) {
-                        built = render::build_tree(mesh, options_of(request.build), control);
+                        built = lab::build_tree(mesh, options_of(request.build), control);
                     });
         report.build = std::move(built.report);
         report.build.method = method.name;
-        return render::make_tracer(std::move(built.tree), mesh);
+        return {mesh, std::move(built.tree)};
     }
     progress.show(report.scene + ": loading its tree");
     const Timer timer;
@@ -228,7 +123,7 @@ std::unique_ptr<render::RayTracer> make_tree(const RenderRequest& request, Trian
     report.tree = std::holds_alternative<KdTree>(saved.tree) ? TreeKind::kd : TreeKind::bvh8;
     report.tree_file = request.tree;
     report.build.method = saved.origin.method;
-    auto tracer = render::make_tracer(std::move(saved.tree), mesh);
+    lab::TracedTree tracer(mesh, std::move(saved.tree));
     report.tree_load_seconds = timer.seconds();
     return tracer;
 }
@@ -239,11 +134,7 @@ render::RenderResult render_scene(const RenderRequest& request, render::RenderRe
     progress.show(report.scene + ": loading");
     LoadReport loaded;
     MeshAttributes attributes;
-    const TriangleMesh mesh = load_mesh(request.scenes.front(), &loaded, &attributes);
-    if (mesh.triangles.empty()) {
-        throw file_error(ErrorCode::unsupported, request.scenes.front(),
-                         "a point cloud: it has no triangles to render");
-    }
+    const TriangleMesh mesh = lab::load_triangles(request.scenes.front(), &loaded, &attributes);
     report.load_seconds = loaded.load_seconds;
     report.triangle_count = mesh.view().size();
     report.warnings = attributes.warnings;
@@ -255,8 +146,8 @@ render::RenderResult render_scene(const RenderRequest& request, render::RenderRe
     check_camera(request, mesh);  // before the build
     const auto tracer = make_tree(request, mesh.view(), report, progress);
     const render::Lighting lighting =
-        set_up(request, mesh, *tracer, render::Emitters(mesh.view(), attributes), report);
-    const render::View view{tracer.get(), mesh.view(), &attributes, &lighting};
+        set_up(request, mesh, tracer, render::Emitters(mesh.view(), attributes), report);
+    const render::View view{&tracer, mesh.view(), &attributes, &lighting};
     const auto integrator =
         render::find_integrator(request.integrator).make(report.integrator_options);
     const CatchInterrupts interrupts;
@@ -271,29 +162,10 @@ render::RenderResult render_scene(const RenderRequest& request, render::RenderRe
 
 void tell(const render::RenderReport& report, bool as_json, Output& output) {
     if (as_json) {
-        // File names need not be UTF-8; JSON must be.
-        output.print(
-            nlohmann::json(report).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
-            '\n');
+        output.print(lab::json_text(nlohmann::json(report)));
         return;
     }
     output.print(render::render_text(report) + fmt::format("written: {}\n", report.output));
-}
-
-void check_request(const CLI::App& parser, RenderRequest& request) {
-    require_scenes(parser, request.scenes);
-    if (request.scenes.size() > 1) {
-        throw UsageError(
-            fmt::format("render: one scene at a time; '{}' is a second one", request.scenes[1]));
-    }
-    if (request.out.empty()) {
-        throw UsageError("--out: no file is given; example: --out image.png");
-    }
-    if (!render::format_of(request.out)) {
-        throw UsageError(
-            fmt::format("--out: '{}' ends in none of .png, .exr and .pfm; example: --out image.png",
-                        request.out));
-    }
 }
 
 void run_request(const RenderRequest& request, Output& output) {

@@ -89,8 +89,7 @@ void run_request(TraceRequest& request, Output& output) {
     const std::vector<lab::TraceScene> scenes = lab::run_trace(options, observer);
     progress.clear();
     if (!request.json.empty()) {
-        write_json_file(request.json, lab::trace_document(options, scenes));
-        output.print(fmt::format("written: {}\n", request.json));
+        write_json_file(request.json, lab::trace_document(options, scenes), output);
     }
     fail_if_wrong(scenes);
 }

@@ -57,11 +57,8 @@ void add_how_to_measure(CLI::App& parser, lab::TuneOptions& options) {
               1, lab::BenchOptions::max_runs);
     add_memory_limit(parser, options.memory_limit_bytes,
                      "Fail early if scene and build would take more: 512M, 2G");
-    add_whole(parser, {"--size", "N", "Pixels of the image, each way", "512"}, options.size, 1,
-              lab::BenchOptions::max_size);
-    add_camera(parser, options.camera);
-    add_whole(parser, {"--seed", "N", "Of the bounces' directions", "1"}, options.seed, 0,
-              std::numeric_limits<std::int64_t>::max());
+    add_measured_view(parser, "512", lab::BenchOptions::max_size, options.size, options.camera,
+                      options.seed);
 }
 
 void run_request(TuneRequest& request, Output& output) {
@@ -81,8 +78,7 @@ void run_request(TuneRequest& request, Output& output) {
         output.print(lab::tune_sentence(options, result) + '\n');
     }
     if (request.json.empty()) return;
-    write_json_file(request.json, lab::tune_document(options, results));
-    output.print(fmt::format("written: {}\n", request.json));
+    write_json_file(request.json, lab::tune_document(options, results), output);
 }
 
 bool has_sampling_method(const lab::TuneOptions& options) {
@@ -107,15 +103,13 @@ Command add_tune(CLI::App& program) {
         "  coppice tune scenes/dragon.obj --rays 1e6 --methods fast,quality --rates 0.5,1,100\n"
         "  coppice tune scenes/dragon.obj --eye=-0.1,0.2,0.4 --look-at=0,0.1,0 --json tune.json\n"
         "The names of methods are explained by `coppice list`.");
-    return {parser, [parser, request](Output& output) {
-                require_scenes(*parser, request->scenes);
-                refuse_vain(*parser, "--seed", !has_bounces(request->options.rays),
-                            "it is that of diffuse rays, and --kinds has none");
-                refuse_vain(*parser, "--rates", !has_sampling_method(request->options),
-                            "none of --methods takes a sample");
-                wipe_line_on_interrupt();
-                run_request(*request, output);
-            }};
+    return scene_command(parser, request, [parser](TuneRequest& given, Output& output) {
+        refuse_vain(*parser, "--seed", !has_bounces(given.options.rays),
+                    "it is that of diffuse rays, and --kinds has none");
+        refuse_vain(*parser, "--rates", !has_sampling_method(given.options),
+                    "none of --methods takes a sample");
+        run_request(given, output);
+    });
 }
 
 }  // namespace coppice::app

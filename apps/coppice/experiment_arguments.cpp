@@ -143,7 +143,8 @@ void finish_options(ExperimentRequest& request) {
     lab::ExperimentOptions& options = request.options;
     if (!request.sampler.empty()) {
         if (!options.samplers.empty()) {
-            throw UsageError("--sampler: --samplers is given, too; name all of them there");
+            throw UsageError(
+                "--sampler: --samplers is given as well; give all names to --samplers");
         }
         options.samplers = {request.sampler};
     }

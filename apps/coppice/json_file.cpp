@@ -4,8 +4,10 @@
 
 #include "interrupts.h"
 #include "rows/output_folder.h"
+#include "text/json_text.h"
 #include "usage.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <string>
@@ -20,12 +22,13 @@ void check_json_file(const std::filesystem::path& file) {
     lab::check_file_writable(file);
 }
 
-void write_json_file(const std::filesystem::path& file, const nlohmann::ordered_json& document) {
-    const DeferInterrupts whole_file;
-    // File names need not be UTF-8; JSON must be.
-    write_file(
-        file,
-        document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
+void write_json_file(const std::filesystem::path& file, const nlohmann::ordered_json& document,
+                     Output& output) {
+    {
+        const DeferInterrupts whole_file;
+        write_file(file, lab::json_text(document));
+    }
+    output.print(fmt::format("written: {}\n", file.string()));
 }
 
 }  // namespace coppice::app

@@ -52,7 +52,9 @@ int main(int argument_count, char** arguments) {
     } catch (const app::Interrupted& cut_short) {
         app::print_message(cut_short.what());
     } catch (const std::bad_alloc&) {
-        app::print_message("out of memory: the scene and its tree do not fit");
+        app::print_message(
+            "out of memory: the scene and its tree do not fit; use a smaller scene or sample, or "
+            "--method fast");
     } catch (const std::system_error& error) {  // a thread that the system does not give
         app::print_message(fmt::format("cannot go on: {}", error.what()));
     } catch (const std::exception& error) {

@@ -12,8 +12,7 @@ public:
     /// Writes and flushes; after a failure it does nothing.
     void print(std::string_view text) noexcept;
 
-    /// Throws Error(io) if something could not be written for another reason than that nobody
-    /// reads it.
+    /// Throws Error(io) if something could not be written, unless the reader closed the pipe.
     void check() const;
 
 private:

@@ -95,7 +95,8 @@ void take_piped_scenes(std::vector<std::string>& scenes) {
         const std::optional<int> descriptor = descriptor_of(scene);
         if (!descriptor || is_file(*descriptor, scene)) continue;
         if (isatty(*descriptor) == 1) {
-            throw file_error(ErrorCode::io, scene, "is a terminal: no scene comes in");
+            throw file_error(ErrorCode::io, scene,
+                             "is a terminal, not a scene; pipe a file into it");
         }
         const NamelessFile spool(scene);
         copy_all(*descriptor, spool.descriptor(), scene);

@@ -24,12 +24,11 @@ void check_tree_arguments(const CLI::App& parser, const std::string& tree,
          {"--method", "--sample", "--sampler", "--traversal-cost", "--intersection-cost",
           "--empty-bonus", "--expected-rays", "--memory-limit"}) {
         if (parser.count(name) == 0) continue;
-        throw UsageError(
-            fmt::format("{}: the tree of --tree is built already; give only one of them", name));
+        throw UsageError(fmt::format(
+            "{}: has no effect on the tree that --tree loads; give only one of them", name));
     }
     if (scenes.size() > 1) {
-        throw UsageError(
-            fmt::format("--tree: a tree is for one scene; '{}' is a second one", scenes[1]));
+        throw UsageError(fmt::format("--tree is the tree of one scene; leave '{}' out", scenes[1]));
     }
 }
 
@@ -44,8 +43,9 @@ void check_tree_output(const std::string& file, const std::filesystem::path& sce
     }
     std::error_code problem;
     if (std::filesystem::equivalent(path, scene, problem)) {
-        throw UsageError(
-            fmt::format("--out: '{}' is the scene itself; example: --out tree.cpk", file));
+        throw UsageError(fmt::format(
+            "--out: '{}' is the scene itself and would be overwritten; example: --out tree.cpk",
+            file));
     }
     const DeferInterrupts no_trace;
     lab::check_file_writable(path);

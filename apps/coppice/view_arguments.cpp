@@ -1,6 +1,7 @@
 #include "view_arguments.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,15 @@ void add_camera(CLI::App& parser, render::CameraWish& camera) {
     parser.add_option_function<std::string>("--fov", read_fov, "Field of view from bottom to top")
         ->type_name("DEGREES")
         ->default_str("45; in a room 60");
+}
+
+void add_measured_view(CLI::App& parser, const std::string& default_size, int max_size, int& size,
+                       render::CameraWish& camera, std::uint64_t& seed) {
+    add_whole(parser, {"--size", "N", "Pixels of the image, each way", default_size}, size, 1,
+              max_size);
+    add_camera(parser, camera);
+    add_whole(parser, {"--seed", "N", "Of the bounces' directions", "1"}, seed, 0,
+              std::numeric_limits<std::int64_t>::max());
 }
 
 void add_ray_kinds(CLI::App& parser, const OptionText& text,

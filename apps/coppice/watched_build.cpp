@@ -94,8 +94,8 @@ void watch_build(lab::ProgressLine& progress, const std::string& what, const Bui
 
 void note_preset(const BuildReport& report) {
     if (report.preset_reason.empty()) return;
-    print_message(
-        fmt::format("note: {}: {} is taken instead", report.preset_reason, name_of(report.preset)));
+    print_message(fmt::format("note: {}; building with {} instead", report.preset_reason,
+                              name_of(report.preset)));
 }
 
 void note_vain_options(std::span<const BuildNote> notes, std::string_view method,

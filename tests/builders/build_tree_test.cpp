@@ -238,7 +238,6 @@ TEST(BuildKdTree, ReportsWhatItDid) {
     for (const StageReport& stage :
          {stages.sample, stages.build, stages.empty, stages.refill, stages.refine}) {
         EXPECT_GE(stage.wall_seconds, 0.0);
-        EXPECT_LT(stage.wall_seconds, 60.0);
         EXPECT_GE(stage.cpu_seconds, 0.0);
         EXPECT_GT(stage.items, 0U);
     }

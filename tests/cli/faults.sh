@@ -44,7 +44,7 @@ failing '^coppice: /dev/stdin: the name has no extension, and the contents are n
     eval 'echo nonsense | coppice info -'
 failing '^coppice: /dev/stdin: file ends at byte 5000' eval 'head -c 5000 balls.ply | coppice info -'
 expect_exit 1 python3 "$tests/terminal.py" seen "$COPPICE" info -
-grep -q '^coppice: /dev/stdin: is a terminal: no scene comes in' seen || fail 'it waits for a scene'
+grep -q '^coppice: /dev/stdin: is a terminal, not a scene' seen || fail 'it waits for a scene'
 
 # Nobody reads the output: no failure. It cannot be written: one.
 for how in 'list' 'info balls.ply hills.obj' 'build balls.ply hills.obj' '--help'; do

@@ -5,7 +5,7 @@ coppice generate spheres --triangles 3000 -o balls.ply >/dev/null
 expect_exit 0 coppice experiment balls.ply --protocols fixed,scaled,grown --rates 100,10 \
     --methods exact,binned,sampled,fast --samplers uniform,weighted --rays primary,shadow,axis \
     --size 16 --eye=-0.5,2,3 --no-pictures --out lab
-expect_stderr "^coppice: note: balls: fast has the same sample at 10 % as at another rate"
+expect_stderr "^coppice: note: balls: fast draws the same sample at 10 % as at another rate"
 expect_stdout '^grown, weighted sample: '
 expect_stdout '^binned: '
 expect_stdout '^balls, rays through each tree of triangles \(points are not traced\): 256 primary'
@@ -71,7 +71,7 @@ printf 'x' >>moved.ply
 expect_exit 1 coppice experiment moved.ply --replay lab/experiment.json
 expect_stderr '^coppice: moved.ply: the file has changed since the experiment .* cannot be replayed$'
 expect_exit 2 coppice experiment --replay lab/experiment.json --seeds 2
-expect_stderr '^coppice: --seeds: --replay runs again what its file says; '
+expect_stderr '^coppice: --seeds: --replay takes all options from its file; '
 expect_exit 2 coppice experiment --replay lab/experiment.json --resume lab
 expect_stderr_one_line
 expect_exit 1 coppice experiment --replay lab/results.csv
@@ -80,7 +80,7 @@ expect_stderr '^coppice: lab/results.csv: is not the record of an experiment'
 # Points are not traced, and no 8-wide trees are built over them.
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >one.obj
 expect_exit 0 coppice experiment one.obj --primitives points --methods fast,exact --rays all --no-pictures --out p
-expect_stderr 'one: points are not traced'
+expect_stderr 'one: rays are traced through triangles only'
 expect_stderr 'one: fast is built over triangles only'
 expect_exit 0 coppice experiment one.obj --rates 100 --rays all --size 4 --no-pictures --out one
 expect_stdout 'rank-deficient|not defined'

@@ -31,7 +31,7 @@ expect_exit 0 "${run[@]}" --out all
 expect_equal "$(count_rows all)" 2
 expect_exit 0 "${run[@]}" --out some --memory-limit 3M
 expect_stderr_one_line
-expect_stderr "^coppice: note: balls, triangles, fixed, 100 %, seed 1: the build would take about $size .*: no row of it$"
+expect_stderr "^coppice: note: balls, triangles, fixed, 100 %, seed 1: the build would take about $size .*; this tree has no row$"
 expect_equal "$(count_rows some)" 1
 expect_exit 0 coppice experiment --replay some/experiment.json --out again
 expect_equal "$(count_rows again)" 1
@@ -52,12 +52,12 @@ read -r preset bytes <<<"$(peak)"
 expect_equal "$preset" quality
 expect_exit 0 coppice build balls.ply --json --memory-limit $((bytes * 97 / 100))
 expect_stderr_one_line
-expect_stderr "^coppice: note: quality would take about $size of memory beside .*: fast is taken instead$"
+expect_stderr "^coppice: note: quality would take about $size of memory beside .*; building with fast instead$"
 read -r preset less <<<"$(peak)"
 expect_equal "$preset" fast
 ((less <= bytes * 97 / 100)) || fail "$less bytes"
 expect_exit 0 coppice render balls.ply -o a.png --size 40x30 --spp 1 --memory-limit $((bytes * 97 / 100))
-expect_stderr ' fast is taken instead$'
+expect_stderr ' building with fast instead$'
 
 for wrong in 0 -1 x 1X '' 0.1 nan inf 1e30; do
     expect_exit 2 coppice build balls.ply --memory-limit="$wrong"
@@ -66,7 +66,7 @@ for wrong in 0 -1 x 1X '' 0.1 nan inf 1e30; do
         "^coppice: --memory-limit: '$wrong' is not a size of at least 1 byte; example: --memory-limit 2G$"
 done
 expect_exit 2 coppice trace balls.ply --tree a.cpk --memory-limit 1G
-expect_stderr '^coppice: --memory-limit: the tree of --tree is built already'
+expect_stderr '^coppice: --memory-limit: has no effect on the tree that --tree loads'
 
 # Sanitizers themselves take more than any of what follows.
 [[ $(ldd "$COPPICE") != *lib[at]san* ]] || exit 0

@@ -82,7 +82,7 @@ expect_stderr_one_line
 expect_stderr 'folder.png: is a directory, not a file'
 
 expect_exit 1 coppice render balls.ply -o none/a.png
-expect_stderr '^coppice: none/a.png: cannot write the file: there is no folder none$'
+expect_stderr '^coppice: none/a.png: cannot write the file: make this folder first: none$'
 expect_no_file none
 
 # Wrong use.
@@ -92,7 +92,7 @@ wrong() { # wrong PATTERN ARG...
     expect_stderr "^coppice: $1"
 }
 wrong 'render: no scene is given; example: coppice render ' -o a.png
-wrong "render: one scene at a time; 'b.obj' is a second one" a.obj b.obj -o a.png
+wrong "render takes one scene; leave 'b.obj' out" a.obj b.obj -o a.png
 wrong '--out: no file is given; example: --out image.png' a.obj
 wrong "--out: 'a.jpg' ends in none of .png, .exr and .pfm" a.obj -o a.jpg
 wrong "--integrator: unknown name 'pat' \(did you mean 'path'\?\)" a.obj --integrator pat

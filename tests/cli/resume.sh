@@ -23,14 +23,14 @@ cp -r killed again
 
 # Options that are not those of the run are refused.
 expect_exit 2 coppice experiment hills.ply --no-pictures --rates 50,2 --seeds 2 --resume killed
-expect_stderr '^coppice: --resume: the run in killed was begun with rates \[50.0,1.0\], not \[50.0,2.0\]; '
+expect_stderr '^coppice: --resume: the run in killed was started with rates \[50.0,1.0\], not \[50.0,2.0\]; '
 expect_exit 2 coppice experiment --seeds 2 --resume killed
-expect_stderr '^coppice: --seeds: --resume goes on with the options '
+expect_stderr '^coppice: --seeds: --resume uses the options '
 expect_exit 2 coppice experiment --resume killed --out other
 expect_stderr_one_line
 
 expect_exit 0 coppice experiment --resume killed
-expect_stderr '^coppice: note: killed: [1-9][0-9]* finished trees are not built again$'
+expect_stderr '^coppice: note: killed: reusing [1-9][0-9]* finished trees$'
 expect_equal "$(ls -A killed)" $'experiment.json\nreport.html\nresults.csv\nresults.json'
 expect_equal "$(stable killed/results.csv)" "$(stable whole/results.csv)"
 expect_equal "$(python3 - <<'PY'

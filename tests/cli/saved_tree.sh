@@ -58,11 +58,11 @@ wrong() {
     expect_stderr_one_line
     expect_stderr "$pattern"
 }
-wrong 'one scene at a time' coppice build balls.ply hills.obj -o a.cpk
+wrong '--out takes the tree of one scene' coppice build balls.ply hills.obj -o a.cpk
 wrong 'is the scene itself' coppice build balls.ply -o ./balls.ply
 wrong '^coppice: --method: .*--tree' coppice trace balls.ply --tree tree.cpk --method fast
 wrong '^coppice: --expected-rays: .*--tree' coppice trace balls.ply --tree tree.cpk --expected-rays 1e6
-wrong 'a tree is for one scene' coppice trace balls.ply hills.obj --tree tree.cpk
+wrong '--tree is the tree of one scene' coppice trace balls.ply hills.obj --tree tree.cpk
 wrong 'no tree is given' coppice check
 wrong 'no scene is given' coppice check tree.cpk
 wrong "unexpected argument 'c'" coppice check tree.cpk balls.ply c

@@ -44,4 +44,4 @@ expect_no_file failed.json
 expect_exit 1 coppice tune balls.ply "${quick[@]}" --methods fast --kinds shadow \
     --eye 1000,1000,1000 --look-at 2000,1000,1000
 expect_stderr_one_line
-expect_stderr 'balls.ply: the camera sees nothing'
+expect_stderr 'balls.ply: the camera sees no surface'

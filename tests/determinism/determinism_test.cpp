@@ -18,7 +18,7 @@
 #include "support/isa.h"
 #include "support/lab_scenes.h"
 #include "support/more_threads.h"
-#include "tracers/ray_tracer.h"
+#include "tracers/traced_tree.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -132,8 +132,8 @@ TEST_P(ProceduralScene, GivesTheSameImageInAllWays) {
     made_in_all_ways([&](int threads) {
         Bvh8Options options = find_method("auto").bvh8_options();
         options.threads = threads;
-        const auto tracer = render::make_tracer(build_bvh8(mesh.view(), options).tree, mesh.view());
-        const render::View view{tracer.get(), mesh.view(), &attributes, &lighting};
+        const lab::TracedTree tracer(mesh.view(), build_bvh8(mesh.view(), options).tree);
+        const render::View view{&tracer, mesh.view(), &attributes, &lighting};
         return render::render(view, camera, *integrator,
                               {.width = 30, .height = 20, .samples = 2, .threads = threads})
             .image.pixels;

@@ -93,8 +93,8 @@ TriangleMesh box_of(float half) {
 
 TEST(PictureCamera, StandsInsideARoomAndOutsideOfAllElse) {
     const auto eye_of = [](const TriangleMesh& mesh) {
-        const auto tracer = render::picture_tracer(mesh.view(), 1);
-        const ChosenCamera chosen = choose_camera(mesh.view(), *tracer, {}, 1.5);
+        const auto tracer = build_picture_tree(mesh.view(), 1);
+        const ChosenCamera chosen = choose_camera(mesh.view(), tracer, {}, 1.5);
         const Vec3f eye = chosen.camera.eye;
         EXPECT_EQ(bounds_of(mesh.vertices).contains(eye), chosen.is_inside);
         const Vec3f ray_eye = choose_ray_camera(mesh.view(), {}, 1).eye;

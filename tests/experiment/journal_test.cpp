@@ -42,8 +42,8 @@ ExperimentOptions small_options(const TemporaryFolder& folder) {
 
 ExperimentObserver observer_of(Journal& journal) {
     ExperimentObserver observer;
-    observer.find_finished = [&](const RowKey& key) { return journal.find(key); };
-    observer.on_row = [&](const RowKey& key, const TreeFigures& figures) {
+    observer.find_finished = [&](const TreeKey& key) { return journal.find(key); };
+    observer.on_row = [&](const TreeKey& key, const TreeFigures& figures) {
         journal.add(key, figures);
     };
     return observer;
@@ -107,13 +107,13 @@ TEST(Journal, KeepsCostsThatAreNotFinite) {
     TreeStatistics& statistics = figures.report.statistics;
     statistics.sah_cost = std::numeric_limits<double>::infinity();
     statistics.cost_share_by_depth = {std::numeric_limits<double>::quiet_NaN()};
-    const RowKey key{"\xff", "points", "fixed", 0.1, 3};
+    const TreeKey key{{"points", "fixed"}, "\xff", 0.1, 3};
     journal.add(key, figures);
     const auto found = Journal::open(options.out).find(key);
     ASSERT_TRUE(found);
     EXPECT_FALSE(std::isfinite(found->report.statistics.sah_cost));
     EXPECT_EQ(found->report.statistics.cost_share_by_depth.size(), 1U);
-    EXPECT_FALSE(journal.find({"hills", "points", "fixed", 0.1, 3}));
+    EXPECT_FALSE(journal.find({{"points", "fixed"}, "hills", 0.1, 3}));
 }
 
 TEST(Journal, RefusesWhatItCannotGoOnWith) {
@@ -129,7 +129,7 @@ TEST(Journal, RefusesWhatItCannotGoOnWith) {
     };
     EXPECT_TRUE(refuses()) << "there is none";
     Journal journal = Journal::begin(options, {});
-    journal.add({"hills", "points", "fixed", 100, 1}, {});
+    journal.add({{"points", "fixed"}, "hills", 100, 1}, {});
     EXPECT_FALSE(refuses());
     cut(options.out / Journal::file_name, 1);
     EXPECT_FALSE(refuses()) << "the first line alone";

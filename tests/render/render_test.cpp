@@ -34,8 +34,8 @@ struct Stage {
     [[nodiscard]] RenderResult render(std::string_view integrator, const Camera& camera,
                                       const RenderObserver& observer = {}) const {
         const Method& how = find_method(method);
-        const auto tracer = make_tracer(build_tree(mesh.view(), how.options()).tree, mesh.view());
-        const View view{tracer.get(), mesh.view(), &attributes, &lighting};
+        const lab::TracedTree tracer(mesh.view(), how.options());
+        const View view{&tracer, mesh.view(), &attributes, &lighting};
         return render::render(view, camera, *find_integrator(integrator).make(integrator_options),
                               options, observer);
     }

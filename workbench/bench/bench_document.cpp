@@ -1,5 +1,6 @@
 #include "bench/bench_results.h"
 #include "rows/machine.h"
+#include "text/json_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -9,23 +10,24 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number_or_null(const std::optional<double>& value) {
-    return value ? Json(*value) : Json();
-}
-
 Json view_json(const BenchScene& scene) {
     Json json{{"scene", scene.scene}, {"file", scene.file.string()}};
     json["camera"] = nlohmann::json(scene.camera);
-    json["light"] = {scene.light.x, scene.light.y, scene.light.z};
+    json["light"] = vector_json(scene.light);
     json["reference"] = scene.reference;
-    for (const RayKindEntry& entry : rendering_ray_kinds()) {
-        json["ray_counts"][std::string(entry.name)] =
-            scene.ray_counts[static_cast<std::size_t>(entry.kind)];
-    }
+    json["ray_counts"] = ray_counts_json(scene);
     return json;
 }
 
 }  // namespace
+
+Json ray_counts_json(const BenchScene& scene) {
+    Json json;
+    for (const RayKindEntry& entry : rendering_ray_kinds()) {
+        json[std::string(entry.name)] = scene.ray_counts[index_of(entry.kind)];
+    }
+    return json;
+}
 
 Json row_json(const BenchRow& row) {
     return {{"scene", row.scene},
@@ -38,11 +40,11 @@ Json row_json(const BenchRow& row) {
             {"build_cpu_seconds", row.build_cpu_seconds},
             {"bytes_per_triangle", row.bytes_per_triangle},
             {"peak_bytes_per_triangle", row.peak_bytes_per_triangle},
-            {"sah_cost", number_or_null(row.sah_cost)},
-            {"references_per_triangle", number_or_null(row.references_per_triangle)},
-            {"primary_mrays", number_or_null(row.mrays[0])},
-            {"shadow_mrays", number_or_null(row.mrays[1])},
-            {"diffuse_mrays", number_or_null(row.mrays[2])},
+            {"sah_cost", number_json(row.sah_cost)},
+            {"references_per_triangle", number_json(row.references_per_triangle)},
+            {"primary_mrays", number_json(row.mrays[0])},
+            {"shadow_mrays", number_json(row.mrays[1])},
+            {"diffuse_mrays", number_json(row.mrays[2])},
             {"mismatches", row.mismatches}};
 }
 
@@ -58,8 +60,7 @@ Json bench_document(const BenchOptions& options, const BenchResult& result) {
     for (const BenchRow& row : result.rows) {
         json["rows"].push_back(row_json(row));
     }
-    // File names need not be UTF-8, JSON must be.
-    return Json::parse(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+    return as_written(json);
 }
 
 }  // namespace coppice::lab

@@ -36,7 +36,8 @@ void check(const BenchOptions& options) {
         static_cast<void>(find_named(peer_registry(), name, "peer"));
     }
     if (options.methods.empty() && options.peers.empty()) {
-        throw Error(ErrorCode::invalid_argument, "there is no method and no peer to measure");
+        throw Error(ErrorCode::invalid_argument,
+                    "nothing to measure: give at least one method or peer");
     }
     for (const int threads : options.threads) {
         require(threads >= 1, "threads", threads, "[1, 2^31)");

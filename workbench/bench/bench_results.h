@@ -56,6 +56,9 @@ struct BenchResult {
     std::vector<BenchRow> rows;
 };
 
+/// The numbers of rays by the names of their kinds.
+[[nodiscard]] nlohmann::ordered_json ray_counts_json(const BenchScene& scene);
+
 /// One row as an object; what was not measured is null.
 [[nodiscard]] nlohmann::ordered_json row_json(const BenchRow& row);
 

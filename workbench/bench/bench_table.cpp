@@ -1,5 +1,5 @@
 #include "bench/bench_results.h"
-#include "text/seconds_text.h"
+#include "text/numbers.h"
 
 #include <fmt/format.h>
 
@@ -17,17 +17,13 @@ constexpr const char* bench_line =
 
 constexpr const char* ratio_format = "{:<14} {:>7} {:<14} {:>8} {:>8} {:>8} {:>8}\n";
 
-std::string number_text(const std::optional<double>& value, int digits) {
-    return value && std::isfinite(*value) ? fmt::format("{:.{}f}", *value, digits) : "-";
-}
-
 std::string row_text(const BenchRow& row) {
     return fmt::format(bench_line, row.method, row.threads, seconds_text(row.build_seconds),
                        seconds_text(row.build_seconds_first), seconds_text(row.build_cpu_seconds),
-                       number_text(row.bytes_per_triangle, 1),
-                       number_text(row.peak_bytes_per_triangle, 1), number_text(row.sah_cost, 2),
-                       number_text(row.references_per_triangle, 2), number_text(row.mrays[0], 2),
-                       number_text(row.mrays[1], 2), number_text(row.mrays[2], 2), row.mismatches);
+                       fixed_text(row.bytes_per_triangle, 1),
+                       fixed_text(row.peak_bytes_per_triangle, 1), fixed_text(row.sah_cost, 2),
+                       fixed_text(row.references_per_triangle, 2), fixed_text(row.mrays[0], 2),
+                       fixed_text(row.mrays[1], 2), fixed_text(row.mrays[2], 2), row.mismatches);
 }
 
 /// How many times faster a row is than its peers in the same run: building, then the ray kinds.
@@ -73,8 +69,8 @@ std::optional<double> geometric_mean(std::span<const Ratios> all, std::size_t co
 
 std::string ratios_text(const Ratios& ratios) {
     return fmt::format(ratio_format, ratios.method, ratios.threads, ratios.scene,
-                       number_text(ratios.values[0], 2), number_text(ratios.values[1], 2),
-                       number_text(ratios.values[2], 2), number_text(ratios.values[3], 2));
+                       fixed_text(ratios.values[0], 2), fixed_text(ratios.values[1], 2),
+                       fixed_text(ratios.values[2], 2), fixed_text(ratios.values[3], 2));
 }
 
 /// All scenes of one method and number of threads, with their mean.

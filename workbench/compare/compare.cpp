@@ -1,12 +1,15 @@
-// Two results side by side. Trees of one seed are the same for every run, and so are their costs:
-// what scatters is the seed, hence pairs. Times scatter within a run and drift between runs, which
-// no interval from one run knows: they have a tolerance beside it.
+// Compares two results row by row. Trees of one seed, and their costs, are the same in every run;
+// only the choice of seed scatters, so figures are paired by seed. Times scatter within a run and
+// drift between runs. An interval from one run does not cover the drift, so times must also differ
+// by more than a tolerance.
 
 #include "compare/compare.h"
 
 #include "coppice/base/error.h"
 
-#include "scenes/ray_sets.h"
+#include "compare/circumstances.h"
+#include "compare/result_tables.h"
+#include "statistics/mean.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,8 +19,6 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <map>
-#include <set>
 
 namespace coppice::lab {
 
@@ -26,93 +27,6 @@ namespace {
 using nlohmann::json;
 
 constexpr double least_seconds = 0.002;
-
-enum class Nature { cost, seconds, speed, count };
-
-struct Measure {
-    std::string key;
-    Nature nature;
-};
-
-std::vector<Measure> bench_measures() {
-    return {{"build_seconds", Nature::seconds},        {"bytes_per_triangle", Nature::cost},
-            {"peak_bytes_per_triangle", Nature::cost}, {"sah_cost", Nature::cost},
-            {"primary_mrays", Nature::speed},          {"shadow_mrays", Nature::speed},
-            {"diffuse_mrays", Nature::speed},          {"mismatches", Nature::count}};
-}
-
-std::vector<Measure> experiment_measures(bool with_rays) {
-    std::vector<Measure> measures{{"sah_cost", Nature::cost}, {"total_seconds", Nature::seconds}};
-    if (!with_rays) return measures;
-    for (const RayKindEntry& rays : ray_kind_registry()) {
-        const std::string kind(rays.name);
-        measures.push_back({kind + "_mrays", Nature::speed});
-        for (const char* steps : {"_nodes", "_leaves", "_primitives"}) {
-            measures.push_back({kind + steps, Nature::cost});
-        }
-    }
-    measures.push_back({"mismatches", Nature::count});
-    return measures;
-}
-
-/// The trees of one row, by seed; a benchmark's have seed 0.
-using TreesBySeed = std::map<std::uint64_t, json>;
-
-/// A result's rows under their names, in its order.
-struct Table {
-    std::vector<std::string> names;
-    std::map<std::string, TreesBySeed> rows;
-
-    void add(const std::string& name, std::uint64_t seed, const json& row) {
-        if (!rows.contains(name)) names.push_back(name);
-        rows[name][seed] = row;
-    }
-};
-
-bool is_experiment(const json& document) {
-    return document.is_object() && document.contains("scenes") && document["scenes"].is_array();
-}
-
-bool is_bench(const json& document) {
-    return document.is_object() && document.contains("rows") && document["rows"].is_array();
-}
-
-Table experiment_table(const json& document, bool names_samplers) {
-    Table table;
-    for (const json& scene : document["scenes"]) {
-        for (const json& row : scene.at("rows")) {
-            std::string name = fmt::format("{}, {}, {}", row.at("scene").get<std::string>(),
-                                           row.at("primitives").get<std::string>(),
-                                           row.at("protocol").get<std::string>());
-            if (names_samplers) name += ", " + row.at("sampler").get<std::string>();
-            name += fmt::format(", {} %", row.at("sample_percent").get<double>());
-            table.add(name, row.at("seed").get<std::uint64_t>(), row);
-        }
-    }
-    return table;
-}
-
-Table bench_table(const json& document) {
-    Table table;
-    for (const json& row : document["rows"]) {
-        const int threads = row.at("threads").get<int>();
-        table.add(
-            fmt::format("{}, {}, {} thread{}", row.at("scene").get<std::string>(),
-                        row.at("method").get<std::string>(), threads, threads == 1 ? "" : "s"),
-            0, row);
-    }
-    return table;
-}
-
-std::set<std::string> samplers_of(const json& document) {
-    std::set<std::string> samplers;
-    for (const json& scene : document["scenes"]) {
-        for (const json& row : scene.at("rows")) {
-            samplers.insert(row.at("sampler").get<std::string>());
-        }
-    }
-    return samplers;
-}
 
 /// The figures of a measure that two rows have for the same seeds.
 struct Pairs {
@@ -139,14 +53,6 @@ Pairs pairs_of(const TreesBySeed& before, const TreesBySeed& after, const std::s
         pairs.ratios.push_back(ratio_of(a.get<double>(), b.get<double>()));
     }
     return pairs;
-}
-
-double mean_of(const std::vector<double>& values) {
-    double sum = 0.0;
-    for (const double value : values) {
-        sum += value;
-    }
-    return sum / static_cast<double>(values.size());
 }
 
 bool is_beyond_noise(const Difference& found, Nature nature, const CompareOptions& options) {
@@ -184,63 +90,11 @@ void compare_row(const std::string& name, const TreesBySeed& before, const Trees
     }
 }
 
-/// What of the two documents' circumstances differs.
-std::vector<std::string> find_notes(const json& before, const json& after) {
-    std::vector<std::string> notes;
-    const auto value = [](const json& document, const char* group, const char* key) {
-        return document.contains(group) && document[group].contains(key) ? document[group][key]
-                                                                         : json();
-    };
-    for (const char* key : {"cpu", "cores"}) {
-        const json a = value(before, "machine", key);
-        const json b = value(after, "machine", key);
-        if (a != b) {
-            notes.push_back(
-                fmt::format("machines differ in {} ({}, {}): seconds cannot be compared", key,
-                            a.dump(), b.dump()));
-        }
-    }
-    json options = before.value("options", json::object());
-    options.update(after.value("options", json::object()));  // the keys of both
-    for (const auto& [key, ignored] : options.items()) {
-        const bool is_place = key == "out" || key == "scenes" || key == "views";
-        const json a = value(before, "options", key.c_str());
-        const json b = value(after, "options", key.c_str());
-        if (is_place || a == b) continue;
-        notes.push_back(fmt::format("options differ in {} ({}, {})", key, a.dump(), b.dump()));
-    }
-    return notes;
-}
-
-/// What the rays of each scene were made from; nothing of scenes that have none.
-std::map<std::string, json> ray_origins(const json& document) {
-    std::map<std::string, json> origins;
-    for (const json& scene : document["scenes"]) {
-        const json rays = scene.value("rays", json());
-        if (!rays.is_object()) continue;
-        origins[scene.value("scene", "")] = {rays.value("camera", json()),
-                                             rays.value("light", json()),
-                                             rays.value("ray_counts", json())};
-    }
-    return origins;
-}
-
-/// The scenes of both that have other rays in one than in the other.
-std::vector<std::string> scenes_of_other_rays(const json& before, const json& after) {
-    std::vector<std::string> scenes;
-    const std::map<std::string, json> others = ray_origins(after);
-    for (const auto& [scene, origin] : ray_origins(before)) {
-        const auto other = others.find(scene);
-        if (other != others.end() && other->second != origin) scenes.push_back(scene);
-    }
-    return scenes;
-}
-
 std::string names_kind(const json& document) {
     return is_experiment(document) ? "an experiment" : "a benchmark";
 }
 
-Comparison compare_tables(const Table& before, const Table& after,
+Comparison compare_tables(const ResultTable& before, const ResultTable& after,
                           std::span<const Measure> measures, const CompareOptions& options) {
     Comparison comparison;
     for (const std::string& name : before.names) {
@@ -261,15 +115,15 @@ Comparison compare_documents(const json& before, const json& after, const Compar
     if (is_bench(before)) {
         return compare_tables(bench_table(before), bench_table(after), bench_measures(), options);
     }
-    const bool names_samplers = samplers_of(before).size() > 1 || samplers_of(after).size() > 1;
+    const bool names_samplers = has_several_samplers(before) || has_several_samplers(after);
     const std::vector<std::string> others = scenes_of_other_rays(before, after);
     Comparison comparison = compare_tables(experiment_table(before, names_samplers),
                                            experiment_table(after, names_samplers),
                                            experiment_measures(others.empty()), options);
     if (!others.empty()) {
         comparison.notes.push_back(
-            fmt::format("the rays of {} come from elsewhere or are others in number: what rays "
-                        "took is not compared",
+            fmt::format("the rays of {} differ in camera, light or number, so ray figures are not "
+                        "compared",
                         fmt::join(others, ", ")));
     }
     return comparison;
@@ -290,11 +144,14 @@ json load_results(const std::filesystem::path& path) {
     if (!stream) throw file_error(ErrorCode::io, file.string(), "cannot open the file");
     json document = json::parse(stream, nullptr, false);
     if (document.is_discarded()) {
-        throw file_error(ErrorCode::parse, file.string(), "is not JSON, or not all of it");
+        throw file_error(
+            ErrorCode::parse, file.string(),
+            "is not JSON, or is cut off; give the results.json of an experiment, or the "
+            "file of coppice bench --json");
     }
     if (!is_experiment(document) && !is_bench(document)) {
         throw file_error(ErrorCode::parse, file.string(),
-                         "is not what coppice experiment or coppice bench writes");
+                         "is JSON, but not a result of coppice experiment or coppice bench");
     }
     return document;
 }
@@ -307,7 +164,8 @@ Comparison compare_results(const json& before, const json& after, const CompareO
     if (is_experiment(before) != is_experiment(after)) {
         throw Error(
             ErrorCode::invalid_argument,
-            fmt::format("the first file is of {}, the second of {}: they cannot be compared",
+            fmt::format("the first file is the result of {}, the second of {}; compare two of the "
+                        "same kind",
                         names_kind(before), names_kind(after)));
     }
     Comparison comparison;
@@ -315,10 +173,12 @@ Comparison compare_results(const json& before, const json& after, const CompareO
         comparison = compare_documents(before, after, options);
     } catch (const json::exception& error) {
         throw Error(ErrorCode::parse,
-                    fmt::format("a row lacks what it must have: {}", error.what()));
+                    fmt::format("a row of the results is incomplete: {}", error.what()));
     }
     if (comparison.row_count == 0) {
-        throw Error(ErrorCode::invalid_argument, "the two files have no row in common");
+        throw Error(ErrorCode::invalid_argument,
+                    "the two results have no row in common: compare results of the same scenes "
+                    "and methods");
     }
     const std::vector<std::string> notes = find_notes(before, after);
     comparison.notes.insert(comparison.notes.begin(), notes.begin(), notes.end());

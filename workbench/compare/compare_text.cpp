@@ -1,4 +1,5 @@
 #include "compare/compare.h"
+#include "text/json_text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -12,10 +13,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* compare_line = "{:<7} {:<48} {:<24} {:>12} {:>12} {:>8}  {}\n";
-
-Json number_or_null(double value) {
-    return std::isfinite(value) ? Json(value) : Json();
-}
 
 std::string interval_text(const Difference& difference) {
     if (!difference.interval) return "-";
@@ -43,9 +40,9 @@ Json difference_json(const Difference& difference) {
     Json json{{"row", difference.row},
               {"measure", difference.measure},
               {"verdict", difference.is_worse ? "worse" : "better"},
-              {"a", number_or_null(difference.before)},
-              {"b", number_or_null(difference.after)},
-              {"ratio", number_or_null(difference.ratio)},
+              {"a", number_json(difference.before)},
+              {"b", number_json(difference.after)},
+              {"ratio", number_json(difference.ratio)},
               {"interval", nullptr}};
     if (difference.interval) {
         json["interval"] = {difference.interval->low, difference.interval->high};

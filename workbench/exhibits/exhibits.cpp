@@ -127,10 +127,10 @@ private:
     }
 
     void take_picture() {
-        const auto tracer = render::picture_tracer(mesh_.view(), options_.build.threads, control());
-        camera_ = choose_camera(mesh_.view(), *tracer, {}, 16.0 / 9.0).camera;
+        const auto tracer = build_picture_tree(mesh_.view(), options_.build.threads, control());
+        camera_ = choose_camera(mesh_.view(), tracer, {}, 16.0 / 9.0).camera;
         exhibits_.picture_camera = render::camera_text(camera_);
-        exhibits_.picture = render_picture(picture_scene(), *tracer);
+        exhibits_.picture = render_picture(picture_scene(), tracer);
     }
 
     void make_points() {

@@ -1,5 +1,3 @@
-// A scene in as few numbers as show its shape.
-
 #include "exhibits/scene_outline.h"
 
 #include "scenes/surface_points.h"

@@ -8,6 +8,7 @@
 #include "render/encode_image.h"
 #include "render/heat_map.h"
 #include "render/render.h"
+#include "statistics/mean.h"
 
 #include <fmt/format.h>
 
@@ -40,9 +41,9 @@ render::RenderOptions options_of(const PictureScene& scene, int width, int sampl
 
 /// The steps of each pixel's rays in a tree.
 render::Image count_steps(const PictureScene& scene, const KdTree& tree) {
-    const auto tracer = render::make_tracer(tree, scene.mesh);
+    const TracedTree tracer(scene.mesh, tree);
     const render::Lighting dark{};
-    const render::View view{tracer.get(), scene.mesh, scene.attributes, &dark};
+    const render::View view{&tracer, scene.mesh, scene.attributes, &dark};
     const auto integrator = render::find_integrator("cost").make({});
     return render::render(view, scene.camera, *integrator, options_of(scene, heat_map_width, 2))
         .image;
@@ -55,14 +56,6 @@ std::vector<float> steps_of(const render::Image& image) {
         steps.push_back(pixel.z);
     }
     return steps;
-}
-
-double mean_of(const std::vector<float>& values) {
-    double sum = 0.0;
-    for (const float value : values) {
-        sum += double{value};
-    }
-    return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
 }
 
 /// A round number that at most one value in a thousand exceeds; at least 1.
@@ -110,7 +103,7 @@ report::Picture draw(const std::vector<float>& values, ColorOf color_of) {
 
 }  // namespace
 
-report::Picture render_picture(const PictureScene& scene, const render::RayTracer& tracer) {
+report::Picture render_picture(const PictureScene& scene, const TracedTree& tracer) {
     render::Lighting lighting{
         {}, {{}, scene.camera.up}, render::Emitters(scene.mesh, *scene.attributes)};
     if (lighting.emitters.is_empty()) {

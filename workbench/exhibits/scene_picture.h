@@ -7,7 +7,7 @@
 
 #include "report/exhibits.h"
 #include "scenes/camera.h"
-#include "tracers/ray_tracer.h"
+#include "tracers/traced_tree.h"
 
 #include <memory>
 
@@ -22,8 +22,7 @@ struct PictureScene {
 };
 
 /// The scene as `coppice render` shows it, in 960 x 540 pixels of 4 samples.
-[[nodiscard]] report::Picture render_picture(const PictureScene& scene,
-                                             const render::RayTracer& tracer);
+[[nodiscard]] report::Picture render_picture(const PictureScene& scene, const TracedTree& tracer);
 
 /// What the same camera's rays take in trees over the scene's triangles, in 640 x 360 pixels of 2
 /// samples: of `full` alone or, with `other`, of both on one scale, and the difference.

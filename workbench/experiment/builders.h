@@ -30,7 +30,7 @@ struct MethodEntry {
     std::string_view summary;
 };
 
-/// Our methods but for `auto`, which is one of them, then the peers that there are.
+/// Our methods, except `auto`, which only chooses one of the others; then the peers.
 [[nodiscard]] std::vector<MethodEntry> experiment_methods();
 
 /// The builders of an experiment in the order of its rows: protocols, then methods.

@@ -27,18 +27,18 @@ std::vector<PrimitiveKind> kinds_for(const ExperimentRun& run, const std::filesy
     const auto fail = [&](const char* what) {
         throw file_error(ErrorCode::unsupported, file.string(), what);
     };
-    if (mesh.vertices.empty()) fail("no vertices: there is nothing to build a tree of");
+    if (mesh.vertices.empty()) fail("has no vertices to build a tree over");
     const auto& asked = run.options.primitives;
     if (!mesh.triangles.empty()) {
         if (!asked.empty()) return asked;
         return {PrimitiveKind::points, PrimitiveKind::triangles};
     }
     if (std::count(asked.begin(), asked.end(), PrimitiveKind::triangles) > 0) {
-        fail("a point cloud without triangles: ask for --primitives points");
+        fail("is a point cloud without triangles; use --primitives points");
     }
     if (asked.empty()) {
-        run.note(
-            fmt::format("{}: a point cloud without triangles: only points are run", file.string()));
+        run.note(fmt::format("{}: is a point cloud without triangles: only points are run",
+                             file.string()));
     }
     return {PrimitiveKind::points};
 }
@@ -77,11 +77,12 @@ void note_what_is_left_out(const ExperimentRun& run, const SceneFile& scene) {
                                          PrimitiveKind::triangles) != scene.kinds.end();
     if (has_triangles) return;
     if (!run.options.rays.empty()) {
-        run.note(scene.name + ": points are not traced: there are no figures of rays");
+        run.note(scene.name +
+                 ": rays are traced through triangles only, so this scene has no ray figures");
     }
     for (const Builder& builder : run.builders) {
         if (is_built_over(builder, PrimitiveKind::points)) continue;
-        run.note(fmt::format("{}: {} is built over triangles only: there are no rows of it",
+        run.note(fmt::format("{}: {} is built over triangles only, so it has no rows here",
                              scene.name, builder.name));
     }
 }
@@ -93,8 +94,8 @@ std::vector<std::string> find_errors(const SceneResult& scene) {
         for (const RayFigures& figures : row.rays) {
             if (figures.mismatches == 0 || row.form == TreeForm::peer) continue;
             errors.push_back(fmt::format(
-                "{}, {}, {} %, seed {}: {} of {} {} rays hit something else than those of the "
-                "reference ({})",
+                "{}, {}, {} %, seed {}: {} of {} {} rays hit at another distance than with the "
+                "reference tree ({})",
                 row.protocol, row.sampler, row.sample_percent, row.seed, figures.mismatches,
                 figures.rays, name_of(figures.kind), reference_method));
         }
@@ -146,8 +147,8 @@ std::vector<SceneResult> run_experiment(const ExperimentOptions& options,
     ExperimentRun run{options, observer, builders_of(options), {}};
     if (!run.lists_all_percent()) {
         run.note(
-            "100 % is not among the rates; its tree is built all the same, as the reference "
-            "of relative costs, and not listed");
+            "100 % is not among the rates; its tree is built as the reference of relative "
+            "costs, but not listed");
     }
     const std::vector<std::string> names = scene_names(options.scenes);
     std::vector<SceneFile> scenes;

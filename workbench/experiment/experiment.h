@@ -20,15 +20,15 @@ struct ExperimentProgress {
     std::optional<double> remaining_seconds;
 };
 
-/// Who is told how an experiment goes on. Empty functions are not called.
+/// Callbacks of an experiment. Empty ones are not called.
 struct ExperimentObserver {
     std::function<void(const ExperimentProgress&)> on_progress;
     std::function<void(const SceneResult&)> on_scene;  ///< when all rows of a scene are there
     std::function<void(const std::string&)> on_note;   ///< one line that the user should know
     /// When a tree is measured; also for the reference that is not listed.
-    std::function<void(const RowKey&, const TreeFigures&)> on_row;
+    std::function<void(const TreeKey&, const TreeFigures&)> on_row;
     /// What was measured of a tree that need not be built again, as an earlier run has.
-    std::function<std::optional<TreeFigures>(const RowKey&)> find_finished;
+    std::function<std::optional<TreeFigures>(const TreeKey&)> find_finished;
 };
 
 /// Runs the experiment: for every scene, kind of primitive, builder, sampler, seed and rate it

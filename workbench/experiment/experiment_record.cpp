@@ -3,6 +3,7 @@
 #include "coppice/base/error.h"
 
 #include "rows/machine.h"
+#include "text/json_text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -41,7 +42,7 @@ void read_hex_name(const json& from, const std::string& key, std::filesystem::pa
         const auto read = std::from_chars(end - 2, end, byte, 16);
         if (read.ec != std::errc{} || read.ptr != end || hex.size() % 2 != 0) {
             throw Error(ErrorCode::invalid_argument,
-                        "its " + key + " is not of hexadecimal digits");
+                        "its " + key + " is not made of hexadecimal digits");
         }
         name[i] = static_cast<char>(byte);
     }
@@ -51,7 +52,7 @@ void read_hex_name(const json& from, const std::string& key, std::filesystem::pa
 }  // namespace
 
 std::optional<std::string> hex_unless_utf8(const std::string& name) {
-    const std::string text = json(name).dump(-1, ' ', true, json::error_handler_t::replace);
+    const std::string text = json_ascii_line(json(name));
     if (json::parse(text).get<std::string>() == name) return std::nullopt;
     std::string hex;
     for (const char byte : name) {
@@ -105,12 +106,12 @@ void to_json(json& to, const ExperimentRecord& record) {
         to["scenes"].push_back(std::move(scene));
     }
     put_name(to["options"], "out", record.options.out);
-    to = json::parse(to.dump(-1, ' ', true, json::error_handler_t::replace));
+    to = as_written(to);
 }
 
 void from_json(const json& from, ExperimentRecord& record) {
     if (from.at("format") != record_version) {
-        throw Error(ErrorCode::invalid_argument, "it is of another version of coppice");
+        throw Error(ErrorCode::invalid_argument, "it was written by another version of coppice");
     }
     record.options = experiment_options_of(from.at("options"));
     from.at("command").get_to(record.command);
@@ -121,7 +122,8 @@ void from_json(const json& from, ExperimentRecord& record) {
         record.contents.push_back({scene.at("bytes"), scene.at("xxh3")});
     }
     if (record.contents.size() != record.options.scenes.size()) {
-        throw Error(ErrorCode::invalid_argument, "it does not know all its scenes");
+        throw Error(ErrorCode::invalid_argument,
+                    "its lists of scenes and of their contents differ in length");
     }
     for (std::size_t i = 0; i < record.contents.size(); ++i) {
         read_hex_name(from.at("scenes").at(i), "file_hex", record.options.scenes[i]);

@@ -9,6 +9,8 @@
 #include "coppice/io/write_file.h"
 #include "coppice/json/build_report.h"
 
+#include "text/json_text.h"
+
 #include <fcntl.h>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -113,7 +115,7 @@ TreeFigures read_figures(const json& row) {
     return figures;
 }
 
-std::string row_line(const RowKey& key, const TreeFigures& figures) {
+std::string row_line(const TreeKey& key, const TreeFigures& figures) {
     json row{{"scene", key.scene},
              {"primitives", key.primitives},
              {"protocol", key.protocol},
@@ -126,11 +128,11 @@ std::string row_line(const RowKey& key, const TreeFigures& figures) {
     for (const RayFigures& rays : figures.rays) {
         row["rays"].push_back(rays_json(rays));
     }
-    return row.dump(-1, ' ', true, json::error_handler_t::replace) + '\n';
+    return json_ascii_line(row) + '\n';
 }
 
 /// With a name that JSON can keep; other names have others.
-RowKey stored_key(RowKey key) {
+TreeKey stored_key(TreeKey key) {
     if (const auto hex = hex_unless_utf8(key.scene)) key.scene = *hex;
     return key;
 }
@@ -141,7 +143,7 @@ std::string read_whole_lines(const std::filesystem::path& path) {
     if (!stream) {
         if (errno != ENOENT) fail(path, "cannot open the file");
         throw file_error(ErrorCode::io, path.string(),
-                         "there is no unfinished experiment to resume");
+                         "there is no unfinished experiment to resume; run one without --resume");
     }
     std::ostringstream contents;
     contents << stream.rdbuf();
@@ -192,7 +194,7 @@ void Journal::make_file() {
     std::error_code error;
     std::filesystem::create_directories(record_.options.out,
                                         error);  // write_file() says what is wrong
-    write_file(path_, head.dump(-1, ' ', true, json::error_handler_t::replace) + '\n');
+    write_file(path_, json_ascii_line(head) + '\n');
     file_ = std::make_unique<File>(path_);
 }
 
@@ -203,7 +205,8 @@ Journal Journal::open(const std::filesystem::path& folder) {
     try {
         const json head = json::parse(text.substr(0, head_end));
         if (head.at("format") != journal_version) {
-            throw file_error(ErrorCode::parse, path.string(), "is of another version of coppice");
+            throw file_error(ErrorCode::parse, path.string(),
+                             "was written by another version of coppice; run the experiment anew");
         }
         Journal journal(path, head.at("record").get<ExperimentRecord>());
         require_unchanged(journal.record_, "the run cannot be resumed");
@@ -223,17 +226,20 @@ void Journal::read_rows(std::string_view lines) {
     for (std::string line; std::getline(stream, line);) {
         if (line.empty()) continue;
         const json row = json::parse(line);
-        rows_[{row.at("scene"), row.at("primitives"), row.at("protocol"), row.at("sample_percent"),
-               row.at("seed"), row.at("sampler")}] = read_figures(row);
+        const TreeKey key{{row.at("primitives"), row.at("protocol"), row.at("sampler")},
+                          row.at("scene"),
+                          row.at("sample_percent"),
+                          row.at("seed")};
+        rows_[key] = read_figures(row);
     }
 }
 
-std::optional<TreeFigures> Journal::find(const RowKey& key) const {
+std::optional<TreeFigures> Journal::find(const TreeKey& key) const {
     const auto at = rows_.find(stored_key(key));
     return at == rows_.end() ? std::nullopt : std::optional(at->second);
 }
 
-void Journal::add(const RowKey& key, const TreeFigures& figures) {
+void Journal::add(const TreeKey& key, const TreeFigures& figures) {
     if (file_ == nullptr) make_file();
     const std::string line = row_line(stored_key(key), figures);
     std::string_view rest = line;

@@ -52,10 +52,10 @@ public:
 
     /// What was measured of a finished tree; nothing if it is not finished. Its report's `options`
     /// are not kept.
-    [[nodiscard]] std::optional<TreeFigures> find(const RowKey& key) const;
+    [[nodiscard]] std::optional<TreeFigures> find(const TreeKey& key) const;
 
     /// Adds a finished tree; it is on disk when this returns. Throws Error(io).
-    void add(const RowKey& key, const TreeFigures& figures);
+    void add(const TreeKey& key, const TreeFigures& figures);
 
     /// Removes the file: the results are written.
     void remove() noexcept;
@@ -69,7 +69,7 @@ private:
 
     std::filesystem::path path_;
     ExperimentRecord record_;
-    std::map<RowKey, TreeFigures> rows_;
+    std::map<TreeKey, TreeFigures> rows_;
     std::unique_ptr<File> file_;
 };
 

@@ -1,8 +1,11 @@
 #include "experiment/result_table.h"
 
 #include "experiment/builders.h"
+#include "rows/group_by.h"
 #include "rows/recommend.h"
 #include "rows/seed_summary.h"
+#include "statistics/mean.h"
+#include "text/numbers.h"
 
 #include <fmt/format.h>
 
@@ -15,34 +18,16 @@ namespace coppice::lab {
 
 namespace {
 
-/// The rows of one kind, protocol, sampler and percentage: one per seed, at least one.
-struct Group {
-    std::vector<const ResultRow*> rows;
+using RowGroup = Group<ResultRow>;
 
-    [[nodiscard]] const ResultRow& first() const { return *rows.front(); }
-
-    template <typename Value>
-    [[nodiscard]] double mean(Value&& value) const {
-        double sum = 0.0;
-        for (const ResultRow* row : rows) {
-            sum += static_cast<double>(value(*row));
-        }
-        return sum / static_cast<double>(rows.size());
+/// The mean over the seeds.
+template <typename Value>
+double mean_over(const RowGroup& rows, Value&& value) {
+    std::vector<double> values;
+    for (const ResultRow* row : rows) {
+        values.push_back(static_cast<double>(value(*row)));
     }
-};
-
-std::vector<Group> group_by_percent(const std::vector<ResultRow>& rows) {
-    std::vector<Group> groups;
-    for (const ResultRow& row : rows) {
-        const auto same = [&](const Group& group) { return group.first().is_twin_of(row); };
-        const auto at = std::find_if(groups.begin(), groups.end(), same);
-        if (at == groups.end()) {
-            groups.push_back({{&row}});
-        } else {
-            at->rows.push_back(&row);
-        }
-    }
-    return groups;
+    return mean_of(values);
 }
 
 std::string cost_text(double cost) {
@@ -52,7 +37,7 @@ std::string cost_text(double cost) {
 }
 
 std::string relative_text(double relative) {
-    return std::isfinite(relative) ? fmt::format("{:.3f}", relative) : "-";
+    return fixed_text(relative, 3);
 }
 
 /// Seven columns at most, down to a hundredth of a millisecond.
@@ -83,37 +68,34 @@ std::string header_line() {
                        "s", "s", "s", "s", "cost", "cost");
 }
 
-std::string group_line(const Group& group, bool is_recommended) {
-    const bool is_peer = group.first().form == TreeForm::peer;
+std::string group_line(const RowGroup& group, bool is_recommended) {
+    const bool is_peer = group.front()->form == TreeForm::peer;
     const auto count = [&](auto&& value) {
-        return is_peer ? std::string("-") : fmt::format("{:.0f}", group.mean(value));
+        return is_peer ? std::string("-") : fmt::format("{:.0f}", mean_over(group, value));
     };
     const auto seconds = [&](StageReport StageReports::*stage) {
-        return tree_seconds(group.mean(
-            [&](const ResultRow& row) { return (row.report.stages.*stage).wall_seconds; }));
+        return tree_seconds(mean_over(
+            group, [&](const ResultRow& row) { return (row.report.stages.*stage).wall_seconds; }));
     };
     const auto statistic = [](auto TreeStatistics::*member) {
         return [member](const ResultRow& row) { return row.report.statistics.*member; };
     };
     const double total =
-        group.mean([](const ResultRow& r) { return r.report.stages.wall_seconds(); });
-    const double relative = group.mean([](const ResultRow& r) { return r.relative_cost; });
+        mean_over(group, [](const ResultRow& r) { return r.report.stages.wall_seconds(); });
+    const double relative = mean_over(group, [](const ResultRow& r) { return r.relative_cost; });
     return fmt::format(
-        result_line, is_recommended ? "*" : "", group.first().sample_percent,
+        result_line, is_recommended ? "*" : "", group.front()->sample_percent,
         count(statistic(&TreeStatistics::node_count)),
         count(statistic(&TreeStatistics::leaf_count)), count(statistic(&TreeStatistics::max_level)),
         count(statistic(&TreeStatistics::reference_count)), seconds(&StageReports::sample),
         seconds(&StageReports::build), seconds(&StageReports::empty),
         seconds(&StageReports::refill), seconds(&StageReports::refine), tree_seconds(total),
-        cost_text(group.mean(statistic(&TreeStatistics::sah_cost))), relative_text(relative));
+        cost_text(mean_over(group, statistic(&TreeStatistics::sah_cost))), relative_text(relative));
 }
 
 const Recommendation* find_recommendation(const SceneResult& scene, const ResultRow& row) {
     for (const Recommendation& recommendation : scene.recommended) {
-        if (recommendation.primitives == row.primitives &&
-            recommendation.protocol == row.protocol && recommendation.sampler == row.sampler) {
-            return &recommendation;
-        }
+        if (recommendation.series() == row.series()) return &recommendation;
     }
     return nullptr;
 }
@@ -191,13 +173,16 @@ std::string result_table(const SceneResult& scene, double tolerance) {
     auto summary = summaries.begin();  // in the order of the groups
     const bool names_sampler = has_samplers(scene);
     std::string text;
+    const auto groups =
+        group_by(std::span<const ResultRow>(scene.rows),
+                 [](const ResultRow& a, const ResultRow& b) { return a.is_twin_of(b); });
     const ResultRow* last = nullptr;
-    for (const Group& group : group_by_percent(scene.rows)) {
-        const ResultRow& row = group.first();
+    for (const RowGroup& group : groups) {
+        const ResultRow& row = *group.front();
         const bool is_new_kind = last == nullptr || row.primitives != last->primitives;
         if (is_new_kind) {
             if (!text.empty()) text += '\n';
-            text += title(row, !names_sampler, group.rows.size()) + header_line() + '\n';
+            text += title(row, !names_sampler, group.size()) + header_line() + '\n';
         }
         const bool is_new_section =
             is_new_kind || row.protocol != last->protocol || row.sampler != last->sampler;
@@ -209,7 +194,7 @@ std::string result_table(const SceneResult& scene, double tolerance) {
         const Recommendation* chosen = find_recommendation(scene, row);
         text +=
             group_line(group, chosen != nullptr && chosen->chosen.percent == row.sample_percent);
-        text += group.rows.size() > 1 ? confidence_text(*summary) + '\n' : "\n";
+        text += group.size() > 1 ? confidence_text(*summary) + '\n' : "\n";
         ++summary;
     }
     const auto seed_count = static_cast<int>(summaries.front().seed_count);

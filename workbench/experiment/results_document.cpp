@@ -9,12 +9,10 @@
 #include "rows/recommend.h"
 #include "rows/seed_summary.h"
 #include "scenes/mesh_summary.h"
+#include "text/json_text.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <chrono>
 
 namespace coppice::lab {
 
@@ -22,37 +20,35 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string utc_now() {
-    const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+/// What an object about trees of a series starts with.
+Json rate_json(const TreeSeries& series, double percent) {
+    return {{"primitives", series.primitives},
+            {"protocol", series.protocol},
+            {"sampler", series.sampler},
+            {"sample_percent", percent}};
 }
 
 Json details_json(const ResultRow& row) {
     const TreeStatistics& statistics = row.report.statistics;
-    return {{"primitives", row.primitives},
-            {"protocol", row.protocol},
-            {"sampler", row.sampler},
-            {"sample_percent", row.sample_percent},
-            {"seed", row.seed},
-            {"tree", name_of(row.form)},
-            {"expected_inner_visits", statistics.expected_inner_visits},
-            {"expected_leaf_visits", statistics.expected_leaf_visits},
-            {"expected_primitive_tests", statistics.expected_primitive_tests},
-            {"unsampled_tests", row.unsampled_tests},
-            {"depth_histogram", statistics.depth_histogram},
-            {"cost_share_by_depth", statistics.cost_share_by_depth}};
+    Json json = rate_json(row, row.sample_percent);
+    json.update({{"seed", row.seed},
+                 {"tree", name_of(row.form)},
+                 {"expected_inner_visits", statistics.expected_inner_visits},
+                 {"expected_leaf_visits", statistics.expected_leaf_visits},
+                 {"expected_primitive_tests", statistics.expected_primitive_tests},
+                 {"unsampled_tests", row.unsampled_tests},
+                 {"depth_histogram", statistics.depth_histogram},
+                 {"cost_share_by_depth", statistics.cost_share_by_depth}});
+    return json;
 }
 
 Json recommendation_json(const Recommendation& recommendation, std::string_view rule,
                          std::string_view source) {
-    Json json{{"primitives", recommendation.primitives},
-              {"protocol", recommendation.protocol},
-              {"sampler", recommendation.sampler},
-              {"sample_percent", recommendation.chosen.percent},
-              {"relative_cost", recommendation.chosen.cost},
-              {"relative_time", recommendation.chosen.time},
-              {"rule", rule},
-              {"source", source}};
+    Json json = rate_json(recommendation, recommendation.chosen.percent);
+    json.update({{"relative_cost", recommendation.chosen.cost},
+                 {"relative_time", recommendation.chosen.time},
+                 {"rule", rule},
+                 {"source", source}});
     if (rule == knee_rule) return json;
     json["saves_time"] = recommendation.saves_time();
     if (const auto& interval = recommendation.relative_time) {
@@ -71,30 +67,26 @@ Json seed_mean_json(const SeedMean& measure) {
 }
 
 Json summary_json(const RateSummary& summary) {
-    return {{"primitives", summary.primitives},
-            {"protocol", summary.protocol},
-            {"sampler", summary.sampler},
-            {"sample_percent", summary.sample_percent},
-            {"seed_count", summary.seed_count},
-            {"interval", interval_name},
-            {"sah_cost", seed_mean_json(summary.sah_cost)},
-            {"relative_cost", seed_mean_json(summary.relative_cost)},
-            {"total_seconds", seed_mean_json(summary.total_seconds)},
-            {"relative_time", seed_mean_json(summary.relative_time)}};
+    Json json = rate_json(summary, summary.sample_percent);
+    json.update({{"seed_count", summary.seed_count},
+                 {"interval", interval_name},
+                 {"sah_cost", seed_mean_json(summary.sah_cost)},
+                 {"relative_cost", seed_mean_json(summary.relative_cost)},
+                 {"total_seconds", seed_mean_json(summary.total_seconds)},
+                 {"relative_time", seed_mean_json(summary.relative_time)}});
+    return json;
 }
 
 Json parts_json(const CostParts& parts) {
-    return {{"primitives", parts.primitives},
-            {"protocol", parts.protocol},
-            {"sampler", parts.sampler},
-            {"sample_percent", parts.sample_percent},
-            {"seed", parts.seed},
-            {"excess", parts.excess},
-            {"early_stop", parts.early_stop},
-            {"empty_cells", parts.empty_cells},
-            {"duplicates", parts.duplicates},
-            {"plane_error", parts.plane_error},
-            {"uneven_leaves", parts.uneven_leaves}};
+    Json json = rate_json(parts, parts.sample_percent);
+    json.update({{"seed", parts.seed},
+                 {"excess", parts.excess},
+                 {"early_stop", parts.early_stop},
+                 {"empty_cells", parts.empty_cells},
+                 {"duplicates", parts.duplicates},
+                 {"plane_error", parts.plane_error},
+                 {"uneven_leaves", parts.uneven_leaves}});
+    return json;
 }
 
 Json scene_json(const ExperimentOptions& options, const SceneResult& scene) {
@@ -155,8 +147,7 @@ Json results_document(const ExperimentOptions& options, std::span<const SceneRes
     for (const SceneResult& scene : scenes) {
         json["scenes"].push_back(scene_json(options, scene));
     }
-    // File names need not be UTF-8, JSON must be; numbers that are not finite become null.
-    return Json::parse(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+    return as_written(json);
 }
 
 }  // namespace coppice::lab

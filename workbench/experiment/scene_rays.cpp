@@ -1,8 +1,8 @@
-// Each tree takes turns with one and the same reference: what slows the machine down for a while
-// slows both, and how much is known from the reference's runs, all kinds of rays together, since
-// single runs scatter. Turns of all trees with each other would need all of them in memory; this
-// needs one more. A bad tree may take a hundred times as long as a good one,
-// which would tell its time no better: so runs are repeated for a time, not for a number.
+// Each tree takes turns with the same reference tree. What slows the machine down for a while slows
+// both, and the reference's runs tell by how much. All kinds of rays are taken together for that,
+// because single runs scatter. Turns of all trees with each other would need all of them in memory;
+// this needs one more. Runs are repeated for a time and not for a number: more runs of a slow tree
+// would not make its time more certain.
 
 #include "experiment/scene_rays.h"
 
@@ -12,7 +12,7 @@
 
 #include "scenes/trace_rays.h"
 #include "statistics/median.h"
-#include "tracers/same_distance.h"
+#include "tracers/hit_agreement.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -25,15 +25,7 @@ namespace {
 constexpr std::size_t most_turns = 7;
 constexpr double enough_seconds = 0.3;
 
-std::uint64_t count_mismatches(std::span<const Hit> hits, std::span<const Hit> expected) {
-    std::uint64_t count = 0;
-    for (std::size_t i = 0; i < hits.size(); ++i) {
-        count += is_same_distance(hits[i].t, expected[i].t) ? 0 : 1;
-    }
-    return count;
-}
-
-MeanSteps mean_of(std::span<const TraversalCounts> counts) {
+MeanSteps mean_steps(std::span<const TraversalCounts> counts) {
     TraversalCounts sum;
     for (const TraversalCounts& of_ray : counts) {
         sum += of_ray;
@@ -73,7 +65,7 @@ private:
     int repeats_ = 1;
 };
 
-/// Lets two run in turns, and notes the medians of what they take.
+/// Runs the two in turns, and notes the medians of their times.
 template <typename Run, typename Reference>
 void take_turns(TimedRun<Run> run, TimedRun<Reference> reference, RayFigures& figures) {
     std::vector<double> seconds;
@@ -116,7 +108,7 @@ RayFigures SceneRays::measure_set(const Tracer& tracer, const RaySet& set) const
     if constexpr (std::is_same_v<Tracer, TracedTree>) {
         std::vector<TraversalCounts> counts(set.rays.size());
         trace_counting(tracer, set.kind, set.rays, hits, counts);
-        figures.steps = mean_of(counts);
+        figures.steps = mean_steps(counts);
     } else {
         trace_rays(tracer, set.kind, set.rays, hits);
     }

@@ -14,13 +14,13 @@
 
 namespace coppice::lab {
 
-/// The rays of a scene, made once, for all its trees, and the tree that these take turns with. The
-/// mesh must outlive them.
+/// The rays of a scene, made once for all its trees, and the reference tree. The mesh must outlive
+/// them.
 class SceneRays {
 public:
-    /// Makes the rays of these kinds, from hits found through a tree by reference_method, which
-    /// is kept: its hits and times are what those of all trees are compared with. Throws like
-    /// RayMaker and build_bvh8().
+    /// Builds a tree by reference_method and makes the rays of these kinds from its hits. The tree
+    /// is kept: hits and times of all trees are compared with its own. Throws like RayMaker and
+    /// build_bvh8().
     SceneRays(TriangleMeshView mesh, const RayOptions& options, std::span<const RayKind> kinds,
               int threads, const BuildControl& control = {});
 

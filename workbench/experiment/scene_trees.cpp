@@ -1,5 +1,5 @@
-// Rows are measured one after another, alone on the machine; between two builds nothing is kept but
-// the mesh, the rays, the points of the current seed and what was measured.
+// Trees are measured one after another. Between two builds only the mesh, the rays, the points of
+// the current seed and the figures are in memory.
 
 #include "experiment/scene_trees.h"
 
@@ -108,13 +108,14 @@ private:
                          std::back_inserter(result_.rows),
                          [](const ResultRow& row) { return !row.scene.empty(); });
         } else if (family.seed == 1) {
-            run_.note(fmt::format("{}: {} takes no sample of it: no rows with sampler {}",
-                                  scene_.name, family.builder.name, family.sampler));
+            run_.note(fmt::format(
+                "{}: {} does not sample this scene, so there are no rows for sampler {}",
+                scene_.name, family.builder.name, family.sampler));
         }
         if (left_out.empty() || family.seed > 1) return;
-        run_.note(
-            fmt::format("{}: {} has the same sample at {} as at another rate: no rows of these",
-                        scene_.name, family.builder.name, left_out));
+        run_.note(fmt::format(
+            "{}: {} draws the same sample at {} as at another rate; only the other has rows",
+            scene_.name, family.builder.name, left_out));
     }
 
     /// False for the 8-wide trees of small scenes, which are the same with any sampler.
@@ -134,30 +135,34 @@ private:
         return false;
     }
 
+    [[nodiscard]] TreeKey key_of(const TreeFamily& family, double percent) const {
+        return {
+            {std::string(name_of(family.kind)), std::string(family.builder.name), family.sampler},
+            scene_.name,
+            percent,
+            family.seed};
+    }
+
     [[nodiscard]] ResultRow row_of(const TreeFamily& family, double percent,
                                    TreeFigures figures) const {
-        ResultRow row;
-        row.scene = scene_.name;
-        row.primitives = name_of(family.kind);
-        row.protocol = family.builder.name;
-        row.sample_percent = percent;
-        row.seed = family.seed;
+        ResultRow row{key_of(family, percent)};
         row.report = std::move(figures.report);
-        row.sampler = family.sampler;
         row.form = family.builder.form;
         row.unsampled_tests = figures.unsampled_tests;
         row.rays = std::move(figures.rays);
         return row;
     }
 
-    /// The figures of a tree, or nothing if it would pass a limit: that is told, and not the end.
+    /// The figures of a tree, or nothing if its build would pass a limit. That is noted, and the
+    /// experiment continues.
     std::optional<TreeFigures> measure_or_fail(const TreeFamily& family, double percent) {
         try {
             return measure(family, percent);
         } catch (const Error& error) {
             if (error.code() != ErrorCode::limit) throw;
             result_.failures.push_back(fmt::format("{}: {}", family.step(percent), error.what()));
-            run_.note(fmt::format("{}, {}: no row of it", scene_.name, result_.failures.back()));
+            run_.note(
+                fmt::format("{}, {}; this tree has no row", scene_.name, result_.failures.back()));
             run_.remaining.plan(-work_of(family, percent));
             return std::nullopt;
         }
@@ -175,9 +180,7 @@ private:
         const BuildOptions options =
             options_of(builder, run_.options.build, sampler, percent, seed);
         const double work = work_of(family, percent);
-        const RowKey key{
-            scene_.name, std::string(name_of(kind)), std::string(builder.name), percent, seed,
-            sampler};
+        const TreeKey key = key_of(family, percent);
         ++rows_done_;
         if (auto finished = find_finished(key, options)) {
             run_.remaining.plan(-work);
@@ -198,7 +201,7 @@ private:
         return figures;
     }
 
-    [[nodiscard]] std::optional<TreeFigures> find_finished(const RowKey& key,
+    [[nodiscard]] std::optional<TreeFigures> find_finished(const TreeKey& key,
                                                            const BuildOptions& options) const {
         if (!run_.observer.find_finished) return std::nullopt;
         std::optional<TreeFigures> figures = run_.observer.find_finished(key);
@@ -217,7 +220,7 @@ private:
         return points_;
     }
 
-    /// The limit of memory, beside the mesh and the points that are there.
+    /// The memory limit, with the mesh and the points counted in.
     [[nodiscard]] BuildControl control() const {
         return limit_memory(run_.options.memory_limit_bytes, mesh_.view(), points_);
     }

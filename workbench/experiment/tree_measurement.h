@@ -16,7 +16,7 @@ struct MeasuredScene {
     PrimitiveSetView primitives;
     TriangleMeshView mesh;  ///< what trees that are not k-d trees are built over, and what is hit
     const SceneRays* rays = nullptr;  ///< null: the tree is not traced
-    BuildControl control{};           ///< of the builds, but for a peer's
+    BuildControl control{};           ///< of our builds; peers have none
 };
 
 /// Builds a tree, measures it, traces the rays, and frees it. The report of a peer has times and
@@ -25,7 +25,7 @@ struct MeasuredScene {
                                        const MeasuredScene& scene);
 
 /// The expected primitive tests of a random line through the tree's box in leaves that were empty
-/// in the sample but have primitives all the same.
+/// in the sample and hold primitives.
 [[nodiscard]] double unsampled_tests(const KdTree& tree);
 
 }  // namespace coppice::lab

@@ -75,7 +75,7 @@ void draw_legend(ScreenImage& image, double scale, std::string_view title) {
         const double share = static_cast<double>(i) / (label_count - 1);
         const bool is_last = i == label_count - 1;
         const std::string label = fmt::format("{:.4g}{}", scale * share, is_last ? "+" : "");
-        // Centred below its place on the bar, but for the outer two.
+        // Centred below its place on the bar; the outer two are aligned with its ends.
         const int room = bar_width - text_width(label, size);
         const int center = static_cast<int>(share * bar_width) - text_width(label, size) / 2;
         draw_text(image, margin + std::clamp(center, 0, std::max(room, 0)),

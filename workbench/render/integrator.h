@@ -7,7 +7,7 @@
 
 #include "render/lighting.h"
 #include "render/pixel_samples.h"
-#include "tracers/ray_tracer.h"
+#include "tracers/traced_tree.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -20,7 +20,7 @@ namespace coppice::render {
 
 /// What is rendered. All of it must outlive the integrators at work on it.
 struct View {
-    const RayTracer* tracer;
+    const lab::TracedTree* tracer;
     TriangleMeshView mesh;
     const MeshAttributes* attributes;
     const Lighting* lighting;
@@ -63,7 +63,7 @@ public:
     [[nodiscard]] virtual Vec3d sample(const View& view, const Ray& ray, PixelSamples& random,
                                        RayCounts& counts) const = 0;
 
-    /// The pixel that a number of samples come to: their mean.
+    /// The pixel of a number of samples: their mean.
     [[nodiscard]] virtual Vec3d pixel_of(Vec3d sum, int sample_count) const noexcept {
         return (1.0 / sample_count) * sum;
     }
@@ -73,7 +73,7 @@ public:
 enum class Display {
     light,   ///< linear light: exposed, its highlights compressed, to sRGB
     share,   ///< in [0, 1], linear light: to sRGB
-    normal,  ///< in [-1, 1], as it is
+    normal,  ///< in [-1, 1], unchanged
     depth,   ///< near is bright; 0 is nothing, and black
     cost,    ///< heat_map()
 };

@@ -38,11 +38,11 @@ Vec3d mixed(Vec3d a, Vec3d b, double share_of_b) {
 Vec3d Sky::radiance(Vec3d direction) const noexcept {
     if (color) return to_double(*color);
     constexpr Vec3d zenith{0.20, 0.28, 0.44};
-    constexpr Vec3d top_tree{0.46, 0.48, 0.50};
+    constexpr Vec3d horizon{0.46, 0.48, 0.50};
     constexpr Vec3d ground{0.16, 0.155, 0.15};
     const double height = dot(direction, normalized(to_double(up)));
-    return height >= 0.0 ? mixed(top_tree, zenith, std::sqrt(std::min(height, 1.0)))
-                         : mixed(top_tree, ground, std::sqrt(std::min(-height, 1.0)));
+    return height >= 0.0 ? mixed(horizon, zenith, std::sqrt(std::min(height, 1.0)))
+                         : mixed(horizon, ground, std::sqrt(std::min(-height, 1.0)));
 }
 
 Emitters::Emitters(TriangleMeshView mesh, const MeshAttributes& attributes) {

@@ -21,7 +21,7 @@ struct Lamp {
 };
 
 /// What is seen where there is no surface: a colour, or if none is given a blue that fades to white
-/// at the top_tree and to grey below.
+/// at the horizon and to grey below.
 struct Sky {
     std::optional<Vec3f> color;
     Vec3f up{0.0F, 1.0F, 0.0F};

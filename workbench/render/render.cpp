@@ -31,7 +31,10 @@ void check(const RenderOptions& options) {
     if (!is_in(options.width, RenderOptions::max_size) ||
         !is_in(options.height, RenderOptions::max_size) ||
         !is_in(options.samples, RenderOptions::max_samples)) {
-        throw Error(ErrorCode::invalid_argument, "the image's size or samples are out of range");
+        throw Error(ErrorCode::invalid_argument,
+                    "an image has 1 to " + std::to_string(RenderOptions::max_size) +
+                        " pixels each way and 1 to " + std::to_string(RenderOptions::max_samples) +
+                        " samples");
     }
 }
 

@@ -2,6 +2,8 @@
 
 #include "coppice/json/build_report.h"
 
+#include "text/numbers.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -12,16 +14,6 @@
 namespace coppice::render {
 
 namespace {
-
-/// A whole number with commas between thousands.
-std::string grouped(std::uint64_t number) {
-    std::string digits = std::to_string(number);
-    for (std::size_t at = digits.size(); at > 3;) {
-        at -= 3;
-        digits.insert(at, 1, ',');
-    }
-    return digits;
-}
 
 std::string lamp_text(const RenderReport& report) {
     if (!report.lamp) return report.emitter_count > 0 ? "the scene's own" : "none but the sky";
@@ -42,7 +34,7 @@ std::string rays_text(const RayCounts& rays) {
     std::string text;
     for (const auto& [count, name] : kinds) {
         if (count == 0) continue;
-        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", grouped(count), name);
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", lab::grouped_text(count), name);
     }
     return text.empty() ? "none" : text;
 }
@@ -102,7 +94,7 @@ double RenderReport::mrays_per_second() const noexcept {
 
 std::string render_text(const RenderReport& report) {
     std::string text = fmt::format("{}: {} triangles, loaded in {:.2f} s\n", report.scene,
-                                   grouped(report.triangle_count), report.load_seconds);
+                                   lab::grouped_text(report.triangle_count), report.load_seconds);
     text += fmt::format("  tree    {}\n", tree_text(report));
     const char* const choice = report.is_camera_inside
                                    ? "  (chosen, inside: from outside there are only walls)"
@@ -114,9 +106,9 @@ std::string render_text(const RenderReport& report) {
                         report.options.width, report.options.height, report.options.samples,
                         report.integrator, report.options.seed, report.threads);
     text += fmt::format("  rays    {}\n", rays_text(report.rays));
-    text +=
-        fmt::format("  traced  {} rays in {:.2f} s, {:.2f} Mrays/s\n", grouped(report.rays.total()),
-                    report.trace_seconds, report.mrays_per_second());
+    text += fmt::format("  traced  {} rays in {:.2f} s, {:.2f} Mrays/s\n",
+                        lab::grouped_text(report.rays.total()), report.trace_seconds,
+                        report.mrays_per_second());
     if (report.cost_scale) text += steps_text(report);
     return text;
 }

@@ -17,7 +17,7 @@
 
 namespace coppice::render {
 
-/// What `coppice render` did, but for the image.
+/// What `coppice render` did, without the image.
 struct RenderReport {
     std::string scene;  ///< its name
     std::string file;
@@ -51,7 +51,7 @@ struct RenderReport {
     [[nodiscard]] double mrays_per_second() const noexcept;
 };
 
-/// The report as lines of text, but for where the image is.
+/// The report as lines of text, without the path of the image.
 [[nodiscard]] std::string render_text(const RenderReport& report);
 
 /// Serializes all fields under their own names, and `mrays_per_second`.

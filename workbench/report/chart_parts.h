@@ -79,6 +79,13 @@ void put_range(nlohmann::json& value, const std::string& field, const Range& ran
 [[nodiscard]] nlohmann::json tip(const std::string& field, const std::string& title,
                                  const std::string& format = "");
 
+/// A part of a stacked bar: its key in the results, its name and its colour in the chart.
+struct StackPart {
+    const char* key;
+    const char* label;
+    const char* color;  ///< of Okabe and Ito's palette
+};
+
 /// The position of `value` between the ends of value_axis or linear_axis, in [0, 1].
 [[nodiscard]] double axis_position(const nlohmann::json& axis, double value);
 

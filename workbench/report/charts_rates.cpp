@@ -13,17 +13,11 @@ namespace {
 
 using nlohmann::json;
 
-struct Stage {
-    const char* key;
-    const char* label;
-    const char* color;  // of Okabe and Ito's palette
-};
-
-constexpr std::array<Stage, 5> stages{{{"sample_seconds", "draw sample", "#56b4e9"},
-                                       {"build_seconds", "build", "#0072b2"},
-                                       {"empty_seconds", "empty", "#cc79a7"},
-                                       {"refill_seconds", "refill", "#e69f00"},
-                                       {"refine_seconds", "refine", "#009e73"}}};
+constexpr std::array<StackPart, 5> stages{{{"sample_seconds", "draw sample", "#56b4e9"},
+                                           {"build_seconds", "build", "#0072b2"},
+                                           {"empty_seconds", "empty", "#cc79a7"},
+                                           {"refill_seconds", "refill", "#e69f00"},
+                                           {"refine_seconds", "refine", "#009e73"}}};
 
 json level_values(const Series& series, const std::string& key) {
     json values = json::array();
@@ -123,7 +117,7 @@ json make_stage_chart(const Series& series, std::string_view protocol) {
     }
     json names = json::array();
     json colors = json::array();
-    for (const Stage& stage : stages) {
+    for (const StackPart& stage : stages) {
         names.push_back(stage.label);
         colors.push_back(stage.color);
     }
@@ -133,24 +127,24 @@ json make_stage_chart(const Series& series, std::string_view protocol) {
                              220);
     chart["data"] = {{"values", values}};
     chart["mark"] = {{"type", "bar"}};
-    chart["encoding"] = {
-        {"x",
-         {{"field", "label"},
-          {"type", "ordinal"},
-          {"sort", nullptr},
-          {"title", "Sample (% of the primitives)"},
-          {"axis", {{"labelAngle", 0}}}}},
-        {"y",
-         linear_axis("time", time_title, collect_ends(series, "total_seconds", unit.per_second))},
-        {"order", {{"field", "stage_index"}, {"type", "quantitative"}}},
-        {"color",
-         {{"field", "stage"},
-          {"type", "nominal"},
-          {"title", nullptr},
-          {"scale", {{"domain", names}, {"range", colors}}},
-          {"legend", {{"columns", 3}}}}},
-        {"tooltip",
-         {tip("stage", "Stage"), tip("label", "Sample (%)"), tip("time", time_title, ",.3~r")}}};
+    chart["encoding"] = {{"x",
+                          {{"field", "label"},
+                           {"type", "ordinal"},
+                           {"sort", nullptr},
+                           {"title", "Sample (% of the primitives)"},
+                           {"axis", {{"labelAngle", 0}}}}},
+                         {"y", linear_axis("time", time_title,
+                                           collect_ends(series, "total_seconds", unit.per_second))},
+                         {"order", {{"field", "stage_index"}, {"type", "quantitative"}}},
+                         {"color",
+                          {{"field", "stage"},
+                           {"type", "nominal"},
+                           {"title", nullptr},
+                           {"scale", {{"domain", names}, {"range", colors}}},
+                           {"legend", {{"columns", 3}}}}},
+                         {"tooltip",
+                          {tip("stage", "StackPart"), tip("label", "Sample (%)"),
+                           tip("time", time_title, ",.3~r")}}};
     chart["encoding"]["y"]["scale"]["domain"][0] = 0.0;  // bars start at nothing
     return chart;
 }

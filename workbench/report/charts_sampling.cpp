@@ -15,17 +15,11 @@ namespace {
 
 using nlohmann::json;
 
-struct Part {
-    const char* key;
-    const char* label;
-    const char* color;  // of Okabe and Ito's palette
-};
-
-constexpr std::array<Part, 5> parts{{{"early_stop", "early stop", "#d55e00"},
-                                     {"empty_cells", "cells not empty", "#cc79a7"},
-                                     {"duplicates", "duplicates", "#e69f00"},
-                                     {"plane_error", "plane error", "#0072b2"},
-                                     {"uneven_leaves", "uneven leaves", "#999999"}}};
+constexpr std::array<StackPart, 5> parts{{{"early_stop", "early stop", "#d55e00"},
+                                          {"empty_cells", "cells not empty", "#cc79a7"},
+                                          {"duplicates", "duplicates", "#e69f00"},
+                                          {"plane_error", "plane error", "#0072b2"},
+                                          {"uneven_leaves", "uneven leaves", "#999999"}}};
 
 // Means over the seeds, by falling percentage and then by part.
 struct PartMeans {
@@ -51,7 +45,7 @@ PartMeans collect_parts(const json& scene, const Series& series, std::string_vie
 json part_color() {
     json names = json::array();
     json colors = json::array();
-    for (const Part& part : parts) {
+    for (const StackPart& part : parts) {
         names.push_back(part.label);
         colors.push_back(part.color);
     }

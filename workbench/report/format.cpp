@@ -1,5 +1,7 @@
 #include "report/format.h"
 
+#include "text/json_text.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -70,8 +72,7 @@ std::string escape_html(std::string_view text) {
 }
 
 std::string script_json(const nlohmann::json& json) {
-    return replace_all(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace), "<",
-                       "\\u003c");
+    return replace_all(lab::json_line(json), "<", "\\u003c");
 }
 
 std::string script_text(std::string_view javascript) {

@@ -1,4 +1,4 @@
-// Geometry in as few bytes as it is drawn with: 16 bits a coordinate are finer than any screen.
+// Geometry with 16 bits a coordinate, which is finer than any screen.
 // Indices of a mesh mostly lie close to their predecessor, and so take little more than a byte
 // each.
 

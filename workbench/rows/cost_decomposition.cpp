@@ -50,10 +50,10 @@ public:
 
 private:
     [[nodiscard]] const ResultRow* find(std::string_view protocol, double percent) const {
+        const TreeSeries series{like_.primitives, std::string(protocol), like_.sampler};
         const auto at = std::find_if(rows_.begin(), rows_.end(), [&](const ResultRow& row) {
-            return row.protocol == protocol && row.sample_percent == percent &&
-                   row.seed == like_.seed && row.sampler == like_.sampler &&
-                   row.primitives == like_.primitives;
+            return row.series() == series && row.sample_percent == percent &&
+                   row.seed == like_.seed;
         });
         return at == rows_.end() ? nullptr : &*at;
     }
@@ -99,7 +99,7 @@ std::vector<CostParts> decompose_costs(std::span<const ResultRow> rows) {
         if (!is_known || row.sample_percent == 100.0 || !has_all(trees, row.protocol)) continue;
         const double full = trees.full(row.protocol)->report.statistics.sah_cost;
         if (!(full > 0.0) || !std::isfinite(row.report.statistics.sah_cost)) continue;
-        CostParts parts{row.primitives, row.protocol, row.sampler, row.sample_percent, row.seed};
+        CostParts parts{row};
         find_parts(trees, parts);
         parts.excess = row.report.statistics.sah_cost / full - 1.0;
         for (double* part :

@@ -11,12 +11,7 @@ namespace coppice::lab {
 
 /// Where the cost of a sampled tree comes from that the full tree of the same seed has not. All
 /// parts are shares of the full tree's cost, of either sign, and add up to `excess`.
-struct CostParts {
-    std::string primitives;
-    std::string protocol;
-    std::string sampler;
-    double sample_percent = 100.0;
-    std::uint64_t seed = 1;
+struct CostParts : TreeKey {
     double excess = 0.0;         ///< relative cost - 1
     double early_stop = 0.0;     ///< leaves so large because the limit counts sampled primitives
     double empty_cells = 0.0;    ///< tests in cells empty in the sample but not in the scene

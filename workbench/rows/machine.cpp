@@ -70,14 +70,18 @@ void to_json(nlohmann::json& json, const Machine& machine) {
             {"kernel", machine.kernel}};
 }
 
-nlohmann::ordered_json provenance_json() {
+std::string utc_now() {
     const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+}
+
+nlohmann::ordered_json provenance_json() {
     nlohmann::ordered_json json = nlohmann::json(find_machine());
     json["compiler"] = compiler_name();
     json["build_type"] = build_type();
     json["flags"] = compiler_flags();
     json["git_revision"] = git_revision();
-    json["created"] = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+    json["created"] = utc_now();
     return json;
 }
 

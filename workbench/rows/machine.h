@@ -23,6 +23,9 @@ struct Machine {
 /// Serializes all fields under their own names.
 void to_json(nlohmann::json& json, const Machine& machine);
 
+/// The time by UTC as a result records it: "2026-11-22T14:05:09Z".
+[[nodiscard]] std::string utc_now();
+
 /// A new result's `machine`: the machine, how this program was built, and the time by UTC.
 [[nodiscard]] nlohmann::ordered_json provenance_json();
 
@@ -35,7 +38,7 @@ void to_json(nlohmann::json& json, const Machine& machine);
 /// How this program was built, e.g. "Release".
 [[nodiscard]] std::string_view build_type() noexcept;
 
-/// The compiler flags of this program beside the project's own.
+/// The compiler flags that were given in addition to the project's own.
 [[nodiscard]] std::string_view compiler_flags() noexcept;
 
 /// The revision that this program was built from: an abbreviated commit, with "-dirty" behind it

@@ -91,7 +91,7 @@ void check_file_writable(const fs::path& file) {
     if (error) fail(file, "cannot write the file", error);
     if (!is_there) {
         throw file_error(ErrorCode::io, file.string(),
-                         "cannot write the file: there is no folder " + folder.string());
+                         "cannot write the file: make this folder first: " + folder.string());
     }
     require_writable(folder);
 }

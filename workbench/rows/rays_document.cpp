@@ -4,6 +4,7 @@
 #include "rows/drift.h"
 #include "rows/seed_summary.h"
 #include "rows/time_to_image.h"
+#include "text/json_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -18,10 +19,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number_or_null(const std::optional<double>& value) {
-    return value && std::isfinite(*value) ? Json(*value) : Json();
-}
-
 Json name_json(const ImageTree& tree) {
     return {{"protocol", tree.summary->protocol},
             {"sampler", tree.summary->sampler},
@@ -31,7 +28,7 @@ Json name_json(const ImageTree& tree) {
 Json tree_json(const ImageTree& tree) {
     Json json = name_json(tree);
     json["tree"] = name_of(tree.summary->form);
-    json["sah_cost"] = number_or_null(tree.summary->sah_cost.mean);
+    json["sah_cost"] = number_json(tree.summary->sah_cost.mean);
     json["build_seconds"] = tree.time.build;
     json["ray_seconds"] = tree.time.ray;
     return json;
@@ -40,7 +37,7 @@ Json tree_json(const ImageTree& tree) {
 Json span_json(const ImageRace& race, const BestSpan& span) {
     Json json = name_json(race.trees[span.index]);
     json["from_rays"] = span.from;
-    json["to_rays"] = number_or_null(span.to);
+    json["to_rays"] = number_json(span.to);
     return json;
 }
 
@@ -48,8 +45,8 @@ Json prediction_json(const CostPrediction& prediction) {
     return {{"tree", name_of(prediction.form)},
             {"rays", prediction.rays},
             {"tree_count", prediction.tree_count},
-            {"cost_with_time", number_or_null(prediction.with_time)},
-            {"cost_with_steps", number_or_null(prediction.with_steps)},
+            {"cost_with_time", number_json(prediction.with_time)},
+            {"cost_with_steps", number_json(prediction.with_steps)},
             {"rule", "Spearman's rank correlation"}};
 }
 
@@ -60,9 +57,9 @@ Json calibration_json(const FormCalibration& calibration) {
         {"residuals", name_of(calibration.residual)},
         {"traversal_nanoseconds", found.traversal},
         {"intersection_nanoseconds", found.intersection},
-        {"traversal_error", number_or_null(found.traversal_error)},
-        {"intersection_error", number_or_null(found.intersection_error)},
-        {"r_squared", number_or_null(found.r_squared)},
+        {"traversal_error", number_json(found.traversal_error)},
+        {"intersection_error", number_json(found.intersection_error)},
+        {"r_squared", number_json(found.r_squared)},
         {"rms_nanoseconds", found.rms},
         {"relative_rms", found.relative_rms},
         {"count", found.count},
@@ -97,7 +94,7 @@ void put_race(const ImageRace& race, Json& json) {
     for (const TreePair& pair : race.pairs) {
         json["break_even"].push_back({{"sooner", name_json(race.trees[pair.sooner])},
                                       {"later", name_json(race.trees[pair.later])},
-                                      {"rays", number_or_null(pair.ray_count)}});
+                                      {"rays", number_json(pair.ray_count)}});
     }
 }
 
@@ -108,7 +105,7 @@ Json rays_document(const SceneResult& scene) {
                                      [](const ResultRow& row) { return !row.rays.empty(); });
     if (traced == scene.rows.end() || !scene.view) return nullptr;
     Json json{{"camera", nlohmann::json(scene.view->camera)}};
-    json["light"] = {scene.view->light.x, scene.view->light.y, scene.view->light.z};
+    json["light"] = vector_json(scene.view->light);
     json["size"] = scene.view->size;
     for (const RayFigures& figures : traced->rays) {
         json["ray_counts"][std::string(name_of(figures.kind))] = figures.rays;

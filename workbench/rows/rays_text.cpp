@@ -36,10 +36,9 @@ std::optional<MeanSteps> steps_of(const SceneResult& scene, const RateSummary& s
     MeanSteps sum;
     double count = 0.0;
     for (const ResultRow& row : scene.rows) {
-        if (row.primitives != summary.primitives || row.protocol != summary.protocol ||
-            row.sampler != summary.sampler || row.sample_percent != summary.sample_percent) {
-            continue;
-        }
+        const bool is_of_summary =
+            row.series() == summary.series() && row.sample_percent == summary.sample_percent;
+        if (!is_of_summary) continue;
         for (const RayFigures& figures : row.rays) {
             if (!figures.steps) return std::nullopt;
             const auto rays = static_cast<double>(figures.rays);

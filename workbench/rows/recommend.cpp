@@ -1,5 +1,7 @@
 #include "rows/recommend.h"
 
+#include "rows/group_by.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,33 +10,16 @@ namespace coppice::lab {
 
 namespace {
 
-/// The summaries of one kind, protocol and sampler.
-struct Curve {
-    std::vector<const RateSummary*> summaries;
+/// The summaries of each series: its curve.
+std::vector<Group<RateSummary>> curves_of(std::span<const RateSummary> summaries) {
+    return group_by(summaries, [](const RateSummary& a, const RateSummary& b) {
+        return a.series() == b.series();
+    });
+}
 
-    [[nodiscard]] const RateSummary& first() const { return *summaries.front(); }
-
-    /// Whether there is nothing to choose from.
-    [[nodiscard]] bool has_full_only() const {
-        return summaries.size() == 1 && first().sample_percent == 100.0;
-    }
-};
-
-std::vector<Curve> curves_of(std::span<const RateSummary> summaries) {
-    std::vector<Curve> curves;
-    for (const RateSummary& summary : summaries) {
-        const auto at = std::find_if(curves.begin(), curves.end(), [&](const Curve& curve) {
-            return curve.first().primitives == summary.primitives &&
-                   curve.first().protocol == summary.protocol &&
-                   curve.first().sampler == summary.sampler;
-        });
-        if (at == curves.end()) {
-            curves.push_back({{&summary}});
-        } else {
-            at->summaries.push_back(&summary);
-        }
-    }
-    return curves;
+/// Whether there is nothing to choose from.
+bool has_full_only(const Group<RateSummary>& curve) {
+    return curve.size() == 1 && curve.front()->sample_percent == 100.0;
 }
 
 KneePoint point_of(const RateSummary& summary) {
@@ -51,17 +36,17 @@ bool is_within(const RateSummary& summary, double tolerance) {
 
 std::vector<Recommendation> recommend(std::span<const RateSummary> summaries, double tolerance) {
     std::vector<Recommendation> recommended;
-    for (const Curve& curve : curves_of(summaries)) {
-        if (curve.first().sampler.empty() || curve.has_full_only()) continue;
+    for (const Group<RateSummary>& curve : curves_of(summaries)) {
+        if (curve.front()->sampler.empty() || has_full_only(curve)) continue;
         const RateSummary* smallest = nullptr;
-        for (const RateSummary* summary : curve.summaries) {
+        for (const RateSummary* summary : curve) {
             const bool is_smaller =
                 smallest == nullptr || summary->sample_percent < smallest->sample_percent;
             if (is_smaller && is_within(*summary, tolerance)) smallest = summary;
         }
         if (smallest == nullptr) continue;
-        recommended.push_back({smallest->primitives, smallest->protocol, smallest->sampler,
-                               point_of(*smallest), smallest->relative_time.interval});
+        recommended.push_back(
+            {smallest->series(), point_of(*smallest), smallest->relative_time.interval});
     }
     return recommended;
 }
@@ -76,15 +61,14 @@ std::string recommendation_rule(double tolerance, int seed_count) {
 
 std::vector<Recommendation> find_knees(std::span<const RateSummary> summaries) {
     std::vector<Recommendation> knees;
-    for (const Curve& curve : curves_of(summaries)) {
-        if (curve.first().sampler.empty() || curve.summaries.size() < 2) continue;
+    for (const Group<RateSummary>& curve : curves_of(summaries)) {
+        if (curve.front()->sampler.empty() || curve.size() < 2) continue;
         std::vector<KneePoint> points;
-        for (const RateSummary* summary : curve.summaries) {
+        for (const RateSummary* summary : curve) {
             points.push_back(point_of(*summary));
         }
         if (const auto knee = find_knee(points)) {
-            const RateSummary& first = curve.first();
-            knees.push_back({first.primitives, first.protocol, first.sampler, *knee, {}});
+            knees.push_back({curve.front()->series(), *knee, {}});
         }
     }
     return knees;

@@ -2,6 +2,8 @@
 
 #include "rows/results.h"
 
+#include "text/json_text.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -188,9 +190,7 @@ struct JsonValue {
 
     nlohmann::ordered_json operator()(std::uint64_t value) const { return value; }
 
-    nlohmann::ordered_json operator()(double value) const {
-        return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
-    }
+    nlohmann::ordered_json operator()(double value) const { return number_json(value); }
 
     nlohmann::ordered_json operator()(Seconds seconds) const { return (*this)(seconds.value); }
 };

@@ -6,13 +6,13 @@
 
 #include "rows/ray_figures.h"
 #include "rows/tree_form.h"
+#include "rows/tree_key.h"
 #include "scenes/ray_maker.h"
 #include "statistics/confidence.h"
 #include "statistics/knee.h"
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <compare>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -22,18 +22,6 @@
 #include <vector>
 
 namespace coppice::lab {
-
-/// Which tree of an experiment.
-struct RowKey {
-    std::string scene;
-    std::string primitives;
-    std::string protocol;
-    double sample_percent = 100.0;
-    std::uint64_t seed = 1;
-    std::string sampler = "uniform";
-
-    auto operator<=>(const RowKey&) const = default;
-};
 
 /// All that is measured of one tree.
 struct TreeFigures {
@@ -45,34 +33,18 @@ struct TreeFigures {
 };
 
 /// One tree of the experiment: what was built, and what it measured.
-struct ResultRow {
-    std::string scene;
-    std::string primitives;  ///< "points" or "triangles"
-    std::string protocol;    ///< the builder's name: a protocol, method or peer
-    double sample_percent = 100.0;
-    std::uint64_t seed = 1;
+struct ResultRow : TreeKey {
     BuildReport report;
     double relative_cost = 1.0;  ///< sah_cost over that of the 100 % tree of the same scene,
-                                 ///< primitives, protocol, sampler and seed; NaN if that is 0 and
-                                 ///< this not
+                                 ///< series and seed; NaN if that is 0 and this not
     double relative_time = 1.0;  ///< the same for the total time; not a column
-    std::string sampler = "uniform";  ///< "" for trees that are never sampled
     TreeForm form = TreeForm::kd;
     double unsampled_tests = 0.0;  ///< as in TreeFigures
     std::vector<RayFigures> rays;  ///< likewise
-
-    /// True if the other differs in nothing but the seed and what was measured.
-    [[nodiscard]] bool is_twin_of(const ResultRow& other) const {
-        return primitives == other.primitives && protocol == other.protocol &&
-               sampler == other.sampler && sample_percent == other.sample_percent;
-    }
 };
 
-/// The percentage chosen for one scene, kind of primitive, protocol and sampler.
-struct Recommendation {
-    std::string primitives;
-    std::string protocol;
-    std::string sampler;
+/// The percentage chosen for one series of trees.
+struct Recommendation : TreeSeries {
     KneePoint chosen;
     std::optional<Interval> relative_time;  ///< of the mean over the seeds; nothing for one seed
 
@@ -110,7 +82,7 @@ struct SceneResult {
                                    std::span<const RayKind> rays = {});
 
 /// One row as an object with the CSV's columns as keys and the same values; what is empty there is
-/// null, but for texts.
+/// null; empty texts stay.
 [[nodiscard]] nlohmann::ordered_json row_json(const ResultRow& row,
                                               std::span<const RayKind> rays = {});
 

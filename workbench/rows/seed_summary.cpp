@@ -1,5 +1,8 @@
 #include "rows/seed_summary.h"
 
+#include "rows/group_by.h"
+#include "statistics/mean.h"
+
 #include <algorithm>
 
 namespace coppice::lab {
@@ -7,29 +10,25 @@ namespace coppice::lab {
 namespace {
 
 template <typename Value>
-SeedMean mean_over(const std::vector<const ResultRow*>& rows, Value&& value) {
+SeedMean mean_over(const Group<ResultRow>& rows, Value&& value) {
     std::vector<double> values;
-    double sum = 0.0;
     for (const ResultRow* row : rows) {
         values.push_back(value(*row));
-        sum += values.back();
     }
     const std::optional<Interval> interval = mean_interval(values);
-    return {interval ? interval->mean : sum / static_cast<double>(values.size()), interval};
+    return {interval ? interval->mean : mean_of(values), interval};
 }
 
-RateSummary summary_of(const std::vector<const ResultRow*>& rows) {
+RateSummary summary_of(const Group<ResultRow>& rows) {
     const ResultRow& first = *rows.front();
     RateSummary summary{
-        first.primitives,
-        first.protocol,
+        first.series(),
         first.sample_percent,
         rows.size(),
         mean_over(rows, [](const ResultRow& r) { return r.report.statistics.sah_cost; }),
         mean_over(rows, [](const ResultRow& r) { return r.relative_cost; }),
         mean_over(rows, [](const ResultRow& r) { return r.report.stages.wall_seconds(); }),
         mean_over(rows, [](const ResultRow& r) { return r.relative_time; }),
-        first.sampler,
         first.form,
         std::nullopt};
     if (nanoseconds_of(first.rays)) {
@@ -42,17 +41,8 @@ RateSummary summary_of(const std::vector<const ResultRow*>& rows) {
 }  // namespace
 
 std::vector<RateSummary> summarize_seeds(std::span<const ResultRow> rows) {
-    std::vector<std::vector<const ResultRow*>> groups;
-    for (const ResultRow& row : rows) {
-        const auto at = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
-            return group.front()->is_twin_of(row);
-        });
-        if (at == groups.end()) {
-            groups.push_back({&row});
-        } else {
-            at->push_back(&row);
-        }
-    }
+    const auto groups =
+        group_by(rows, [](const ResultRow& a, const ResultRow& b) { return a.is_twin_of(b); });
     std::vector<RateSummary> summaries;
     std::transform(groups.begin(), groups.end(), std::back_inserter(summaries), summary_of);
     return summaries;

@@ -17,17 +17,14 @@ struct SeedMean {
     std::optional<Interval> interval;  ///< of the mean; nothing for one seed
 };
 
-/// The trees of one kind of primitive, protocol, sampler and percentage, one for each seed.
-struct RateSummary {
-    std::string primitives;
-    std::string protocol;
+/// The trees of one series at one percentage, one for each seed.
+struct RateSummary : TreeSeries {
     double sample_percent = 100.0;
     std::size_t seed_count = 0;
     SeedMean sah_cost;
     SeedMean relative_cost;  ///< each seed's over that seed's 100 % tree
     SeedMean total_seconds;
     SeedMean relative_time;  ///< the same
-    std::string sampler;
     TreeForm form = TreeForm::kd;
     /// Nanoseconds of wall-clock time a ray, of all kinds traced; nothing if none were.
     std::optional<SeedMean> ray_nanoseconds;

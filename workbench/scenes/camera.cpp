@@ -149,8 +149,8 @@ double tan_half(double fov) {
 const Camera& checked(const Camera& camera) {
     if (is_finite(camera.eye)) return camera;
     throw Error(ErrorCode::limit,
-                "the scene is too large to be seen from outside in single precision: "
-                "give an eye within it, and a point to look at");
+                "the scene is too large to be seen from outside in single precision; "
+                "give --eye inside it, and --look-at");
 }
 
 }  // namespace
@@ -226,8 +226,10 @@ CameraRays::CameraRays(const Camera& camera, int width, int height)
     const Sight view =
         view_along(to_double(camera.look_at) - to_double(camera.eye), to_double(camera.up));
     if (view.right == Vec3d{}) {
-        throw Error(ErrorCode::invalid_argument,
-                    "the camera looks along its up vector, or at where it is");
+        throw Error(
+            ErrorCode::invalid_argument,
+            "the camera looks along its up vector or at its own position; change --look-at or "
+            "--up");
     }
     const double half_height = tan_half(camera.fov);
     forward_ = view.forward;

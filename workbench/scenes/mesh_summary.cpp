@@ -2,6 +2,8 @@
 
 #include "coppice/geom/point_cloud.h"
 
+#include "statistics/percentile.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -20,12 +22,6 @@ std::vector<double> sorted_areas(TriangleMeshView mesh) {
     }
     std::sort(areas.begin(), areas.end());
     return areas;
-}
-
-/// The smallest value that at least `percent` of all do not exceed.
-double percentile(const std::vector<double>& sorted, int percent) {
-    const std::size_t rank = (sorted.size() * static_cast<std::size_t>(percent) + 99) / 100;
-    return sorted[std::max<std::size_t>(rank, 1) - 1];
 }
 
 std::vector<AreaDecade> count_decades(const std::vector<double>& areas) {
@@ -54,7 +50,8 @@ AreaDistribution summarize_areas(TriangleMeshView mesh) {
     distribution.max = areas.back();
     distribution.mean = distribution.total / static_cast<double>(areas.size());
     for (std::size_t i = 0; i < AreaDistribution::percents.size(); ++i) {
-        distribution.percentiles[i] = percentile(areas, AreaDistribution::percents[i]);
+        distribution.percentiles[i] =
+            percentile_of(areas, static_cast<std::size_t>(AreaDistribution::percents[i]));
     }
     distribution.decades = count_decades(areas);
     return distribution;

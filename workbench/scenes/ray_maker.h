@@ -12,7 +12,7 @@
 
 namespace coppice::lab {
 
-/// What rays depend on, beside the mesh.
+/// What rays depend on, besides the mesh.
 struct RayOptions {
     render::Camera camera;
     Vec3f light;

@@ -88,7 +88,7 @@ std::span<const RayKindEntry> ray_kind_registry() {
 }
 
 std::string_view name_of(RayKind kind) noexcept {
-    return ray_kind_registry()[static_cast<std::size_t>(kind)].name;
+    return ray_kind_registry()[index_of(kind)].name;
 }
 
 std::span<const RayKindEntry> rendering_ray_kinds() {

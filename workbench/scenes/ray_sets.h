@@ -5,6 +5,7 @@
 
 #include "scenes/camera.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -34,6 +35,11 @@ struct RayKindEntry {
 
 /// The stable lower-case name, e.g. "primary".
 [[nodiscard]] std::string_view name_of(RayKind kind) noexcept;
+
+/// The place of a kind in the registry, and in arrays that have one item for each.
+[[nodiscard]] constexpr std::size_t index_of(RayKind kind) noexcept {
+    return static_cast<std::size_t>(kind);
+}
 
 /// The first of them: what a renderer sends, and so what is measured.
 [[nodiscard]] std::span<const RayKindEntry> rendering_ray_kinds();

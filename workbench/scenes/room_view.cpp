@@ -1,8 +1,8 @@
-// Where to stand in a room: from outside it is but a box. What a place sees is found by rays to
-// points spread over the surface, as many on equal areas. Places are those of a grid in the box, at
-// half its height or near it, that have something in all six directions; the best one sees the most
-// within what a camera shows at once. Inside a closed body there is less to see than from outside,
-// so that statues are not taken for rooms. Cost: 75 places times 512 rays.
+// Finds a camera position inside a room, which shows only its walls from outside. Candidates are
+// the points of a grid near half the height of the box that have a surface in all six axis
+// directions. Rays to points spread evenly over the surface count what each candidate sees; the
+// best one sees most of them within one view. Inside a statue there is less to see than from
+// outside, so it is not taken for a room. Cost: 75 candidates times 512 rays.
 
 #include "scenes/room_view.h"
 
@@ -26,7 +26,7 @@ constexpr double room_fov = 60.0;
 constexpr double cosine_of_view = 0.77;  // 40 degrees to either side: well within such a camera
 constexpr double least_gain = 1.5;       // how much more a room shows inside than outside
 
-std::vector<Vec3d> targets_seen(const render::RayTracer& tracer, std::span<const Vec3f> targets,
+std::vector<Vec3d> targets_seen(const TracedTree& tracer, std::span<const Vec3f> targets,
                                 Vec3f eye) {
     std::vector<Vec3d> seen;
     for (const Vec3f target : targets) {
@@ -36,7 +36,7 @@ std::vector<Vec3d> targets_seen(const render::RayTracer& tracer, std::span<const
     return seen;
 }
 
-bool is_enclosed(const render::RayTracer& tracer, Vec3f eye) {
+bool is_enclosed(const TracedTree& tracer, Vec3f eye) {
     for (const Axis axis : {Axis::x, Axis::y, Axis::z}) {
         for (const float sign : {-1.0F, 1.0F}) {
             Ray ray{.origin = eye};
@@ -48,7 +48,7 @@ bool is_enclosed(const render::RayTracer& tracer, Vec3f eye) {
     return true;
 }
 
-Vec3d mean_of(const std::vector<Vec3d>& points) {
+Vec3d centroid_of(const std::vector<Vec3d>& points) {
     Vec3d sum{0.0, 0.0, 0.0};
     for (const Vec3d point : points) {
         sum = sum + point;
@@ -100,7 +100,7 @@ bool is_free(const render::CameraWish& wish) {
 }
 
 /// A camera inside a mesh that is a room, nothing for any other mesh.
-std::optional<render::Camera> view_of_room(TriangleMeshView mesh, const render::RayTracer& tracer,
+std::optional<render::Camera> view_of_room(TriangleMeshView mesh, const TracedTree& tracer,
                                            const render::Camera& outside,
                                            std::optional<double> fov) {
     const std::vector<Vec3f> targets = surface_points(mesh, target_count).positions;
@@ -112,7 +112,7 @@ std::optional<render::Camera> view_of_room(TriangleMeshView mesh, const render::
         if (!is_enclosed(tracer, eye)) continue;
         const std::vector<Vec3d> seen = targets_seen(tracer, targets, eye);
         if (seen.empty() || static_cast<double>(seen.size()) < least_gain * outside_count) continue;
-        const Vec3d center = mean_of(seen);
+        const Vec3d center = centroid_of(seen);
         const std::size_t count = count_in_view(seen, to_double(eye), center);
         if (count <= best_count) continue;
         best_count = count;
@@ -126,7 +126,7 @@ std::optional<render::Camera> view_of_room(TriangleMeshView mesh, const render::
 
 }  // namespace
 
-ChosenCamera choose_camera(TriangleMeshView mesh, const render::RayTracer& tracer,
+ChosenCamera choose_camera(TriangleMeshView mesh, const TracedTree& tracer,
                            const render::CameraWish& wish, double aspect) {
     const render::Camera outside = render::frame_points(mesh.vertices(), wish, aspect);
     const auto inside =
@@ -138,8 +138,8 @@ render::Camera choose_ray_camera(TriangleMeshView mesh, const render::CameraWish
                                  int threads) {
     const render::Camera outside = render::frame_box(bounds_of(mesh.vertices()), wish, 1.0);
     if (!is_free(wish) || mesh.size() == 0) return outside;
-    const auto tracer = render::picture_tracer(mesh, threads);
-    return view_of_room(mesh, *tracer, outside, wish.fov).value_or(outside);
+    const TracedTree tracer = build_picture_tree(mesh, threads);
+    return view_of_room(mesh, tracer, outside, wish.fov).value_or(outside);
 }
 
 }  // namespace coppice::lab

@@ -31,7 +31,7 @@ int terminal_width(std::FILE* stream) {
 }  // namespace
 
 std::string duration_text(double seconds) {
-    constexpr double longest = 360'000.0;  // beyond 100 hours nobody counts
+    constexpr double longest = 360'000.0;  // longer times are shown as 100 hours
     const auto whole = static_cast<long>(std::lround(std::clamp(seconds, 0.0, longest)));
     if (whole < 60) return fmt::format("{} s", whole);
     if (whole < 3600) return fmt::format("{}:{:02}", whole / 60, whole % 60);

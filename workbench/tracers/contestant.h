@@ -18,7 +18,7 @@ namespace coppice::lab {
 struct BuildFigures {
     double wall_seconds = 0.0;
     double cpu_seconds = 0.0;
-    std::uint64_t bytes = 0;       ///< kept for tracing, beside the mesh itself
+    std::uint64_t bytes = 0;       ///< kept for tracing; the mesh is not counted
     std::uint64_t peak_bytes = 0;  ///< at the height of the build; the mesh is not counted
     std::optional<double> sah_cost;
     std::optional<double> reference_count;

@@ -18,7 +18,7 @@ double read_percent(std::string_view name, std::string_view text) {
     const bool is_read = text.ends_with('%') && error == std::errc{} && end == digits_end;
     if (!is_read || !(percent > 0.0 && percent <= 100.0)) {
         throw Error(ErrorCode::invalid_argument,
-                    fmt::format("'{}': behind the @ stands no percentage in (0, 100]; example: "
+                    fmt::format("'{}': expected a percentage in (0, 100] after the @; example: "
                                 "fast@10%",
                                 name));
     }

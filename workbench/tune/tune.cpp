@@ -1,6 +1,6 @@
-// Measures methods with samples of several sizes in turns, and picks the one that has an image of
-// so many rays first: build + rays * seconds per ray. Which tree wins depends on that number only
-// by the break-even of each two of them (lab/break_even.h).
+// Measures methods with samples of several sizes in turns, and picks the one that finishes the rays
+// asked for first: build + rays * seconds per ray. Which tree that is changes at the break-evens of
+// pairs of trees (statistics/break_even.h).
 
 #include "tune/tune.h"
 
@@ -21,10 +21,11 @@ namespace {
 void check(const TuneOptions& options) {
     if (!(options.ray_count >= 1.0) || !std::isfinite(options.ray_count)) {
         throw Error(ErrorCode::invalid_argument,
-                    fmt::format("the number of rays {} is not finite and >= 1", options.ray_count));
+                    fmt::format("the number of rays is {}; it must be finite and at least 1",
+                                options.ray_count));
     }
     if (options.percents.empty()) {
-        throw Error(ErrorCode::invalid_argument, "there is no rate to measure");
+        throw Error(ErrorCode::invalid_argument, "no rate is given; give at least one percentage");
     }
 }
 
@@ -69,8 +70,10 @@ TuneRow make_row(const BenchScene& scene, const BenchRow& measured) {
         ray_count += count;
     }
     if (ray_count == 0.0) {
-        throw file_error(ErrorCode::unsupported, scene.file.string(),
-                         "the camera sees nothing that rays of these kinds could start from");
+        throw file_error(
+            ErrorCode::unsupported, scene.file.string(),
+            "the camera sees no surface that rays of these kinds could start from; give another "
+            "--eye and --look-at");
     }
     row.time = {measured.build_seconds, seconds / ray_count};
     return row;

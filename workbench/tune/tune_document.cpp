@@ -1,19 +1,14 @@
 #include "rows/machine.h"
+#include "text/json_text.h"
 #include "tune/tune.h"
 
 #include <nlohmann/json.hpp>
-
-#include <cmath>
 
 namespace coppice::lab {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json number_or_null(double value) {
-    return std::isfinite(value) ? Json(value) : Json();
-}
 
 Json row_json(const TuneOptions& options, const TuneRow& row) {
     Json json{{"method", row.method},
@@ -24,12 +19,12 @@ Json row_json(const TuneOptions& options, const TuneRow& row) {
               {"scatter", row.measured.scatter},
               {"build_cpu_seconds", row.measured.build_cpu_seconds}};
     for (const RayKindEntry& entry : rendering_ray_kinds()) {
-        const auto& seconds = row.ray_seconds[static_cast<std::size_t>(entry.kind)];
-        json[std::string(entry.name) + "_ray_seconds"] = seconds ? Json(*seconds) : Json();
+        const auto& seconds = row.ray_seconds[index_of(entry.kind)];
+        json[std::string(entry.name) + "_ray_seconds"] = number_json(seconds);
     }
     json["ray_seconds"] = row.time.ray;
     json["total_seconds"] = row.time.seconds(options.ray_count);
-    json["sah_cost"] = row.measured.sah_cost ? Json(*row.measured.sah_cost) : Json();
+    json["sah_cost"] = number_json(row.measured.sah_cost);
     json["bytes_per_triangle"] = row.measured.bytes_per_triangle;
     json["mismatches"] = row.measured.mismatches;
     return json;
@@ -48,7 +43,7 @@ Json break_even_json(const std::vector<TuneRow>& rows) {
             if (!ray_count || !(sooner.time.build < later.time.build)) continue;
             pairs.push_back({{"sooner", name_json(sooner)},
                              {"later", name_json(later)},
-                             {"rays", number_or_null(*ray_count)}});
+                             {"rays", number_json(*ray_count)}});
         }
     }
     return pairs;
@@ -69,16 +64,13 @@ Json result_json(const TuneOptions& options, const TuneResult& result) {
     for (const BestSpan& span : result.fastest) {
         Json best = name_json(result.rows[span.index]);
         best["from_rays"] = span.from;
-        best["to_rays"] = number_or_null(span.to);
+        best["to_rays"] = number_json(span.to);
         json["fastest"].push_back(best);
     }
     json["break_even"] = break_even_json(result.rows);
     json["camera"] = nlohmann::json(scene.camera);
-    json["light"] = {scene.light.x, scene.light.y, scene.light.z};
-    for (const RayKindEntry& entry : rendering_ray_kinds()) {
-        json["ray_counts"][std::string(entry.name)] =
-            scene.ray_counts[static_cast<std::size_t>(entry.kind)];
-    }
+    json["light"] = vector_json(scene.light);
+    json["ray_counts"] = ray_counts_json(scene);
     return json;
 }
 
@@ -89,7 +81,7 @@ Json options_json(const TuneOptions& options) {
               {"seed", options.seed},      {"kinds", Json::array()}};
     if (options.memory_limit_bytes > 0) json["memory_limit_bytes"] = options.memory_limit_bytes;
     for (const RayKind kind : options.rays) {
-        json["kinds"].push_back(rendering_ray_kinds()[static_cast<std::size_t>(kind)].name);
+        json["kinds"].push_back(name_of(kind));
     }
     return json;
 }
@@ -104,8 +96,7 @@ Json tune_document(const TuneOptions& options, std::span<const TuneResult> resul
     for (const TuneResult& result : results) {
         json["scenes"].push_back(result_json(options, result));
     }
-    // File names need not be UTF-8, JSON must be.
-    return Json::parse(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+    return as_written(json);
 }
 
 }  // namespace coppice::lab

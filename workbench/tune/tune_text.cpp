@@ -1,5 +1,5 @@
 #include "scenes/camera.h"
-#include "text/seconds_text.h"
+#include "text/numbers.h"
 #include "tune/tune.h"
 
 #include <fmt/format.h>
@@ -17,15 +17,15 @@ constexpr const char* tune_line =
     "{:1} {:<10} {:>8} {:>9} {:>9} {:>8} {:>8} {:>8} {:>8} {:>10}  {}\n";
 
 std::string nanoseconds_text(const std::optional<double>& seconds) {
-    return seconds ? fmt::format("{:.1f}", 1e9 * *seconds) : "-";
+    return fixed_text(seconds ? std::optional(1e9 * *seconds) : std::nullopt, 1);
 }
 
-std::string count_text(double count) {
+std::string short_text(double count) {
     return fmt::format("{:.3g}", count);
 }
 
 std::string rays_text(double count) {
-    return count_text(count) + (count == 1.0 ? " ray" : " rays");
+    return short_text(count) + (count == 1.0 ? " ray" : " rays");
 }
 
 std::string percent_text(double percent) {
@@ -65,7 +65,7 @@ std::string reason_text(const TuneResult& result) {
             "; {} builds {} s sooner, but a ray takes {:.1f} % longer, so that it is faster only "
             "up to {} rays",
             name_text(sooner), seconds_text(chosen.build - sooner.time.build),
-            100.0 * (sooner.time.ray / chosen.ray - 1.0), count_text(at->from));
+            100.0 * (sooner.time.ray / chosen.ray - 1.0), short_text(at->from));
     }
     if (at + 1 != result.fastest.end()) {
         const TuneRow& later = result.rows[(at + 1)->index];
@@ -73,7 +73,7 @@ std::string reason_text(const TuneResult& result) {
             "; {} traces a ray in {:.1f} % less time, but builds {} s longer, which pays only "
             "from {} rays",
             name_text(later), 100.0 * (1.0 - later.time.ray / chosen.ray),
-            seconds_text(later.time.build - chosen.build), count_text(at->to));
+            seconds_text(later.time.build - chosen.build), short_text(at->to));
     }
     return text;
 }
@@ -96,12 +96,11 @@ std::string near_text(const TuneOptions& options, const TuneResult& result) {
 
 std::string tune_table(const TuneOptions& options, const TuneResult& result) {
     std::string text = fmt::format(
-        "{}: {} triangles; {} primary, {} shadow, {} diffuse rays; {} thread{}, medians of {} "
-        "run{}\n",
+        "{}: {} triangles; {} primary, {} shadow, {} diffuse rays; {}, medians of {}\n",
         result.scene.scene, result.scene.triangles, result.scene.ray_counts[0],
-        result.scene.ray_counts[1], result.scene.ray_counts[2], result.rows[0].measured.threads,
-        result.rows[0].measured.threads == 1 ? "" : "s", options.runs,
-        options.runs == 1 ? "" : "s");
+        result.scene.ray_counts[1], result.scene.ray_counts[2],
+        count_text(static_cast<std::uint64_t>(result.rows[0].measured.threads), "thread"),
+        count_text(static_cast<std::uint64_t>(options.runs), "run"));
     text += fmt::format("rays from {}\n", render::camera_text(result.scene.camera));
     text += fmt::format(tune_line, "", "", "", "build", "CPU", "primary", "shadow", "diffuse",
                         "a ray", rays_text(options.ray_count), "");

@@ -1,6 +1,6 @@
-// Hits of two tracers with different arithmetic never agree to the bit: neither does the triangle
-// of a hit on an edge, nor, close to an edge, whether there is a hit at all. Same distances of
-// other triangles are counted as ties. Everything else is decided by exact arithmetic, ray by ray.
+// Two tracers with different arithmetic do not agree to the bit. On an edge they may hit different
+// triangles, and close to one they may disagree on whether there is a hit. The same distance with
+// another triangle counts as a tie. Exact arithmetic decides every other difference, ray by ray.
 
 #include "verify/trace_check.h"
 
@@ -9,7 +9,7 @@
 #include "coppice/base/parallel.h"
 #include "coppice/trace/brute_force.h"
 
-#include "tracers/same_distance.h"
+#include "tracers/hit_agreement.h"
 
 #include <algorithm>
 #include <array>
@@ -38,7 +38,8 @@ bool has_embree() {
 void HitCheck::require(TraceCheck check) {
     if (check != TraceCheck::embree || has_embree()) return;
     throw Error(ErrorCode::invalid_argument,
-                "this program was built without Embree: hits cannot be compared with it");
+                "this program was built without Embree; compare hits with brute force, or install "
+                "libembree-dev and build it again");
 }
 
 HitCheck::HitCheck(TriangleMeshView mesh, TraceCheck check, int threads)

@@ -3,12 +3,13 @@
 #include "coppice/json/build_options.h"
 
 #include "rows/machine.h"
+#include "statistics/percentile.h"
+#include "text/json_text.h"
 #include "verify/trace_results.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace coppice::lab {
@@ -17,24 +18,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json vector_json(Vec3f v) {
-    return {v.x, v.y, v.z};
-}
-
 Json distribution_json(const Distribution& of) {
     return {{"mean", of.mean}, {"p50", of.p50}, {"p90", of.p90}, {"p99", of.p99}, {"max", of.max}};
-}
-
-/// A ray's limit: JSON has no infinity.
-Json limit_json(float t) {
-    return std::isfinite(t) ? Json(t) : Json();
 }
 
 Json answer_json(const Hit& hit, RayKind kind, bool is_right) {
     Json json{{"hit", hit.is_hit()}};
     if (kind != RayKind::shadow) {
         json["prim"] = hit.is_hit() ? Json(hit.prim) : Json();
-        json["t"] = limit_json(hit.t);
+        json["t"] = number_json(hit.t);
     }
     json["right"] = is_right;
     return json;
@@ -46,8 +38,8 @@ Json difference_json(const TraceDifference& difference, RayKind kind) {
         {"index", difference.index},
         {"origin", vector_json(ray.origin)},
         {"direction", vector_json(ray.direction)},
-        {"t_min", limit_json(ray.t_min)},
-        {"t_max", limit_json(ray.t_max)},
+        {"t_min", number_json(ray.t_min)},
+        {"t_max", number_json(ray.t_max)},
         {"ours", answer_json(difference.ours, kind, difference.is_ours_right)},
         {"reference", answer_json(difference.reference, kind, difference.is_reference_right)}};
     json["exact"] = {{"hit", difference.exact.has_value()}};
@@ -124,11 +116,8 @@ Json options_json(const TraceOptions& options) {
 Distribution distribution_of(std::span<std::uint32_t> numbers) {
     const double sum = std::accumulate(numbers.begin(), numbers.end(), 0.0);
     std::sort(numbers.begin(), numbers.end());
-    const auto percentile = [&](std::size_t percent) {
-        return numbers[(numbers.size() - 1) * percent / 100];
-    };
-    return {sum / static_cast<double>(numbers.size()), percentile(50), percentile(90),
-            percentile(99), numbers.back()};
+    return {sum / static_cast<double>(numbers.size()), percentile_of(numbers, 50),
+            percentile_of(numbers, 90), percentile_of(numbers, 99), numbers.back()};
 }
 
 Json trace_document(const TraceOptions& options, std::span<const TraceScene> scenes) {
@@ -139,8 +128,7 @@ Json trace_document(const TraceOptions& options, std::span<const TraceScene> sce
     for (const TraceScene& scene : scenes) {
         json["scenes"].push_back(scene_json(scene));
     }
-    // File names need not be UTF-8, JSON must be.
-    return Json::parse(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+    return as_written(json);
 }
 
 }  // namespace coppice::lab

@@ -1,5 +1,5 @@
-// Rays are traced once, and for counts a second time. What a reference does not agree on is never
-// waved through by a tolerance: the judge says for each such ray what is true.
+// Rays are traced once, and a second time if visits are counted. The exact judge decides every ray
+// that the reference does not agree on; no tolerance accepts it.
 
 #include "verify/trace_run.h"
 
@@ -7,15 +7,14 @@
 #include "coppice/base/parallel.h"
 #include "coppice/base/timer.h"
 #include "coppice/builders/method.h"
-#include "coppice/io/load_mesh.h"
 #include "coppice/store/tree_file.h"
 
+#include "scenes/load_triangles.h"
 #include "scenes/ray_maker.h"
 #include "scenes/room_view.h"
 #include "scenes/scene_names.h"
 #include "scenes/trace_rays.h"
 #include "tracers/memory_limit.h"
-#include "tracers/ray_tracer.h"
 #include "tracers/traced_tree.h"
 #include "verify/trace_check.h"
 
@@ -71,7 +70,7 @@ public:
             tell("building");
             BuildControl control = limit_memory(run_.options.memory_limit_bytes, mesh_);
             control.is_measured = false;
-            render::AnyBuild built = render::build_tree(mesh_, run_.options.build, control);
+            AnyBuild built = build_tree(mesh_, run_.options.build, control);
             scene_.notes = std::move(built.report.notes);
             tree_.emplace(mesh_, std::move(built.tree));
             scene_.method = run_.options.method;
@@ -127,14 +126,6 @@ private:
     std::optional<RayMaker> maker_;
 };
 
-TriangleMesh load_scene(const Run& run, const TraceScene& scene) {
-    run.tell(scene.scene + ": loading");
-    TriangleMesh mesh = load_mesh(scene.file);
-    if (!mesh.triangles.empty()) return mesh;
-    throw file_error(ErrorCode::unsupported, scene.file.string(),
-                     "no triangles: there is nothing to trace");
-}
-
 void check(const TraceOptions& options) {
     static_cast<void>(find_method(options.method));
     if (options.size < 1 || options.size > TraceOptions::max_size) {
@@ -142,7 +133,8 @@ void check(const TraceOptions& options) {
                                                              options.size, TraceOptions::max_size));
     }
     if (!options.tree.empty() && options.scenes.size() > 1) {
-        throw Error(ErrorCode::invalid_argument, "a saved tree is for one scene");
+        throw Error(ErrorCode::invalid_argument,
+                    "a saved tree belongs to one scene; give only that scene");
     }
     HitCheck::require(options.check);
 }
@@ -162,7 +154,8 @@ std::vector<TraceScene> run_trace(const TraceOptions& options, const TraceObserv
         TraceScene& scene = scenes.emplace_back();
         scene.scene = names[i];
         scene.file = options.scenes[i];
-        const TriangleMesh mesh = load_scene(run, scene);
+        run.tell(scene.scene + ": loading");
+        const TriangleMesh mesh = load_triangles(scene.file);
         scene.triangles = mesh.triangles.size();
         run_with_threads(threads_of(options.build),
                          [&] { SceneTrace(run, scene, mesh.view()).run_all(); });

@@ -9,7 +9,7 @@
 
 namespace coppice::lab {
 
-/// Who is told how a run goes on. Empty functions are not called.
+/// Callbacks of a run. Empty ones are not called.
 struct TraceObserver {
     std::function<void(const std::string& step)> on_progress;
     std::function<void(const TraceScene& scene)> on_scene;

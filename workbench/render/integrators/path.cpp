@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    /// What an emitter sends, but for the share that belongs to points drawn on it.
+    /// What an emitter sends, less the share that sampled points on it account for.
     static Vec3d emitted(const View& view, const Surface& surface, const Path& path,
                          const Hit& hit) {
         const Vec3f emission = surface.material->emission;

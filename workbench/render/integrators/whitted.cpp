@@ -39,7 +39,7 @@ public:
     }
 
 private:
-    /// The light that a surface sends back along `direction`, but for reflections.
+    /// The light that a surface sends back along `direction`, without reflections.
     static Vec3d shade(const View& view, const Surface& surface, Vec3d direction,
                        PixelSamples& random, RayCounts& counts) {
         const Material& material = *surface.material;

@@ -150,39 +150,35 @@ public:
 
     void intersect(std::span<const Ray> rays, std::span<Hit> hits,
                    Queries queries) const noexcept override {
-        RTCIntersectContext context = context_for(queries);
-        if (queries == Queries::single) {
-            for (std::size_t i = 0; i < rays.size(); ++i) {
-                RTCRayHit query = embree_query(rays[i]);
-                rtcIntersect1(scene_, &context, &query);
-                hits[i] = hit_of(query);
-            }
-            return;
-        }
-        std::vector<RTCRayHit> stream(rays.size());
-        std::transform(rays.begin(), rays.end(), stream.begin(), embree_query);
-        rtcIntersect1M(scene_, &context, stream.data(), count_of(rays), sizeof(RTCRayHit));
-        std::transform(stream.begin(), stream.end(), hits.begin(), hit_of);
+        trace<rtcIntersect1, rtcIntersect1M>(rays, hits, queries, embree_query, hit_of);
     }
 
     void occluded(std::span<const Ray> rays, std::span<std::uint8_t> flags,
                   Queries queries) const noexcept override {
-        RTCIntersectContext context = context_for(queries);
-        if (queries == Queries::single) {
-            for (std::size_t i = 0; i < rays.size(); ++i) {
-                RTCRay query = embree_ray(rays[i]);
-                rtcOccluded1(scene_, &context, &query);
-                flags[i] = flag_of(query);
-            }
-            return;
-        }
-        std::vector<RTCRay> stream(rays.size());
-        std::transform(rays.begin(), rays.end(), stream.begin(), embree_ray);
-        rtcOccluded1M(scene_, &context, stream.data(), count_of(rays), sizeof(RTCRay));
-        std::transform(stream.begin(), stream.end(), flags.begin(), flag_of);
+        trace<rtcOccluded1, rtcOccluded1M>(rays, flags, queries, embree_ray, flag_of);
     }
 
 private:
+    /// Makes each ray's query, has Embree answer them one by one or all at once, and reads them.
+    template <auto trace_one, auto trace_many, typename Answer, typename MakeQuery,
+              typename ReadAnswer>
+    void trace(std::span<const Ray> rays, std::span<Answer> answers, Queries queries,
+               MakeQuery make_query, ReadAnswer read_answer) const noexcept {
+        RTCIntersectContext context = context_for(queries);
+        if (queries == Queries::single) {
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                auto query = make_query(rays[i]);
+                trace_one(scene_, &context, &query);
+                answers[i] = read_answer(query);
+            }
+            return;
+        }
+        std::vector<decltype(make_query(rays[0]))> stream(rays.size());
+        std::transform(rays.begin(), rays.end(), stream.begin(), make_query);
+        trace_many(scene_, &context, stream.data(), count_of(rays), sizeof(stream[0]));
+        std::transform(stream.begin(), stream.end(), answers.begin(), read_answer);
+    }
+
     void share_vertices(TriangleMeshView mesh) {
         if (shared_of_ == mesh.vertices().data()) return;
         vertices_.assign(mesh.vertices().begin(), mesh.vertices().end());
