@@ -38,7 +38,7 @@ public:
     /// COPPICE_ISA is invalid; see choose_isa().
     explicit MeshSearch(Bvh8 tree);
 
-    /// Uses the kernels of `isa`, which must be one of available_isas().
+    /// Prepares a tree for the kernels of `isa`, which must be one of available_isas().
     MeshSearch(Bvh8 tree, Isa isa);
 
     /// The triangle nearest to a point. If none is within `max_distance`, the result's is_found()

@@ -40,7 +40,7 @@ public:
     /// tree refers to points that do not exist, or if COPPICE_ISA is invalid (choose_isa()).
     PointSearch(KdTree tree, PointCloudView points);
 
-    /// Uses the kernels of `isa`, which must be one of available_isas().
+    /// Prepares a tree for the kernels of `isa`, which must be one of available_isas().
     PointSearch(KdTree tree, PointCloudView points, Isa isa);
 
     /// The point of the cloud nearest to `point`. If none is within `max_distance`, the result's

@@ -25,7 +25,7 @@ public:
     /// COPPICE_ISA is invalid; see choose_isa().
     explicit Bvh8Tracer(Bvh8 tree);
 
-    /// Uses the kernels of `isa`, which must be one of available_isas().
+    /// Prepares a tree for the kernels of `isa`, which must be one of available_isas().
     Bvh8Tracer(Bvh8 tree, Isa isa);
 
     /// The closest hit, or nothing.
