@@ -21,8 +21,6 @@
 namespace coppice::inline v0 {
 namespace {
 
-using bvh8::PrimRef;
-
 // The stages' shares of the build time, measured on a scanned mesh; for progress reports.
 struct Shares {
     double sample;
@@ -43,9 +41,9 @@ std::size_t sampled_count(const Sample& sample) {
     return sample.ids.size();
 }
 
-bvh8::ObjectTop build_top(std::span<const PrimRef> prim_refs, const Sample& sample,
+bvh8::ObjectTop build_top(std::span<const bvh8::PrimRef> prim_refs, const Sample& sample,
                           std::uint32_t cell_size, const bvh8::Kernels& kernels) {
-    std::vector<PrimRef> sampled(sample.ids.size());
+    std::vector<bvh8::PrimRef> sampled(sample.ids.size());
     for (std::size_t at = 0; at < sampled.size(); ++at) {
         sampled[at] = prim_refs[sample.ids[at]];
         sampled[at].weight = sample.weights.empty() ? static_cast<float>(prim_refs.size()) /
@@ -80,7 +78,7 @@ private:
         const auto room = static_cast<std::uint32_t>(plan_.room * count);
         bvh8::DoubleBuffer buffers(room, *context_.memory);
         bvh8::Cells cells{{}, std::move(buffers), {}};
-        const std::span<PrimRef> prim_refs = cells.buffers.first().first(count);
+        const std::span<bvh8::PrimRef> prim_refs = cells.buffers.first().first(count);
         report_.sample_count = sample_count(count, plan_.sampling.rate);
         const bool is_whole = report_.sample_count == count;
         const auto draw = [&] {
