@@ -33,7 +33,7 @@ done
 expect_exit 0 coppice experiment balls.ply scenes/hills.obj.gz --no-pictures --primitives points,points \
     --protocols grown --protocols fixed --rates 0.5,100% --rates 20,100 --seeds 2 --split median \
     --traversal-cost 15 --intersection-cost 20 --empty-bonus 0.2 --max-depth 12 --max-leaf 4 \
-    --bad-refines 2 --no-clip --threads 1 --out some/where
+    --bad-refines 2 --threads 1 --out some/where
 expect_equal "$(cut -d, -f1-7 some/where/results.csv | sed 1d)" "$(
     for scene in balls hills; do
         for protocol in grown fixed; do
@@ -66,7 +66,7 @@ options.pop("scenes")
 print(options)
 print([len(scene["recommended"]) for scene in results["scenes"]], results["command"][1])
 PY
-)" "$(tr -d '\n' <<<"{'bad_refines': 2, 'clipping': 'bounding_box', 'empty_bonus': 0.2, \
+)" "$(tr -d '\n' <<<"{'bad_refines': 2, 'clipping': 'perfect', 'empty_bonus': 0.2, \
 'intersection_cost': 20.0, 'max_depth': 12, 'max_leaf': 4, 'methods': [], 'out': 'some/where', \
 'pictures': False, 'primitives': ['points'], 'protocols': ['grown', 'fixed'], \
 'rates': [0.5, 100.0, 20.0], 'rays': [], 'samplers': ['uniform'], 'seeds': 2, 'split': 'median', 'threads': 1, 'tolerance': 2.0, 'traversal_cost': 15.0}")

@@ -109,7 +109,7 @@ for how in 'build balls.ply -o none/a.cpk' 'render balls.ply -o none/a.png' \
     'trace balls.ply --json none/a.json' 'bench balls.ply --json none/a.json' \
     'tune balls.ply --json none/a.json'; do
     # shellcheck disable=SC2086 # several arguments
-    failing '^coppice: none/a\.[a-z]+: cannot write the file: there is no folder none$' coppice $how
+    failing '^coppice: none/a\.[a-z]+: cannot write the file: make this folder first: none$' coppice $how
     expect_stdout_empty # found out before any work
 done
 expect_no_file none
