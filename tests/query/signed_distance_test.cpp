@@ -143,7 +143,7 @@ void expect_refused(const TriangleMesh& mesh, const std::string& message) {
 }
 
 TEST(SignedDistance, RefusesMeshesThatAreNotClosed) {
-    expect_refused({}, "without triangles");
+    expect_refused({}, "it has no triangles");
     expect_refused(make_triangle({Vec3f{0, 0, 0}, Vec3f{1, 0, 0}, Vec3f{0, 1, 0}}),
                    "at the edge from (0, 0, 0) to (0, 1, 0) there is only triangle 0");
     TriangleMesh mesh = make_sphere(10, 11);

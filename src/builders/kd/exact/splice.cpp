@@ -36,7 +36,11 @@ std::array<EventList, 2> divide_events(EventList events, std::size_t above_count
     for (std::size_t side = 0; side < 2; ++side) {
         sides[side].resize(static_cast<std::size_t>(ends[side] - sides[side].data()));
     }
-    sides[0].shrink_to_fit();
+    // Not shrink_to_fit(), which keeps the whole array, silently, if a smaller one cannot be
+    // allocated.
+    if (sides[0].size() < sides[0].capacity()) {
+        sides[0] = EventList(sides[0].begin(), sides[0].end());
+    }
     return sides;
 }
 
