@@ -55,7 +55,7 @@ std::string check_text(const CheckRequest& request, const Checked& checked) {
         checked.load_seconds, request.scene, saved.primitives.primitive_count,
         checked.findings.empty() ? "sound" : "not sound:");
     for (const ValidationIssue& finding : checked.findings) {
-        text += fmt::format("    {}: {}\n", finding_name(finding.kind), finding.message);
+        text += fmt::format("    {}: {}\n", name_of(finding.kind), finding.message);
     }
     return text;
 }
@@ -82,7 +82,7 @@ std::string check_json(const CheckRequest& request, const Checked& checked) {
                                 {"findings", nlohmann::ordered_json::array()}};
     json["options"] = options_json(saved.origin.options);
     for (const ValidationIssue& finding : checked.findings) {
-        json["findings"].push_back({{"kind", finding_name(finding.kind)},
+        json["findings"].push_back({{"kind", name_of(finding.kind)},
                                     {"subject", finding.subject},
                                     {"message", finding.message}});
     }

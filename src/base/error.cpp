@@ -2,26 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cstddef>
+
 namespace coppice::inline v0 {
 
 std::string_view error_code_name(ErrorCode code) noexcept {
-    switch (code) {
-        case ErrorCode::invalid_argument:
-            return "invalid_argument";
-        case ErrorCode::io:
-            return "io";
-        case ErrorCode::parse:
-            return "parse";
-        case ErrorCode::unsupported:
-            return "unsupported";
-        case ErrorCode::limit:
-            return "limit";
-        case ErrorCode::cancelled:
-            return "cancelled";
-        case ErrorCode::out_of_memory:
-            return "out_of_memory";
-    }
-    return "unknown";
+    constexpr std::array<std::string_view, 7> names{
+        "invalid_argument", "io", "parse", "unsupported", "limit", "cancelled", "out_of_memory"};
+    const auto index = static_cast<std::size_t>(code);
+    return index < names.size() ? names[index] : "unknown";
 }
 
 Error::Error(ErrorCode code, const std::string& message)

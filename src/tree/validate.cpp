@@ -194,7 +194,7 @@ private:
 
 }  // namespace
 
-const char* finding_name(ValidationIssueKind kind) noexcept {
+const char* name_of(ValidationIssueKind kind) noexcept {
     switch (kind) {
         case ValidationIssueKind::bad_child:
             return "bad_child";

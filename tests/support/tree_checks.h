@@ -18,7 +18,7 @@ namespace coppice {
 /// For gtest's messages.
 inline void PrintTo(const ValidationIssue& finding,  // NOLINT(readability-identifier-naming)
                     std::ostream* stream) {
-    *stream << finding_name(finding.kind) << ": " << finding.message;
+    *stream << name_of(finding.kind) << ": " << finding.message;
 }
 
 }  // namespace coppice

@@ -110,7 +110,7 @@ TEST(ValidateBvh8, FindsWhatIsWrong) {
         SpoiledTree tree(mesh);
         EXPECT_FALSE(tree.has(each.kind));
         each.spoil(tree);
-        EXPECT_TRUE(tree.has(each.kind)) << finding_name(each.kind);
+        EXPECT_TRUE(tree.has(each.kind)) << name_of(each.kind);
     }
 }
 

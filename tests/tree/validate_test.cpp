@@ -282,19 +282,19 @@ TEST(Validate, SurvivesAnyNodes) {
 }
 
 TEST(FindingName, IsTheEnumerators) {
-    EXPECT_STREQ(finding_name(ValidationIssueKind::bad_child), "bad_child");
-    EXPECT_STREQ(finding_name(ValidationIssueKind::unreachable_node), "unreachable_node");
-    EXPECT_STREQ(finding_name(ValidationIssueKind::too_deep), "too_deep");
-    EXPECT_STREQ(finding_name(ValidationIssueKind::plane_outside), "plane_outside");
-    EXPECT_STREQ(finding_name(ValidationIssueKind::bad_range), "bad_range");
-    EXPECT_STREQ(finding_name(ValidationIssueKind::unreachable_reference), "unreachable_reference");
-    EXPECT_STREQ(finding_name(ValidationIssueKind::bad_reference), "bad_reference");
-    EXPECT_STREQ(finding_name(ValidationIssueKind::unsorted_references), "unsorted_references");
-    EXPECT_STREQ(finding_name(ValidationIssueKind::missing_reference), "missing_reference");
-    EXPECT_STREQ(finding_name(ValidationIssueKind::stray_reference), "stray_reference");
-    EXPECT_STREQ(finding_name(ValidationIssueKind::lost_primitive), "lost_primitive");
-    EXPECT_STREQ(finding_name(ValidationIssueKind::bounds_too_small), "bounds_too_small");
-    EXPECT_STREQ(finding_name(static_cast<ValidationIssueKind>(99)), "unknown");
+    EXPECT_STREQ(name_of(ValidationIssueKind::bad_child), "bad_child");
+    EXPECT_STREQ(name_of(ValidationIssueKind::unreachable_node), "unreachable_node");
+    EXPECT_STREQ(name_of(ValidationIssueKind::too_deep), "too_deep");
+    EXPECT_STREQ(name_of(ValidationIssueKind::plane_outside), "plane_outside");
+    EXPECT_STREQ(name_of(ValidationIssueKind::bad_range), "bad_range");
+    EXPECT_STREQ(name_of(ValidationIssueKind::unreachable_reference), "unreachable_reference");
+    EXPECT_STREQ(name_of(ValidationIssueKind::bad_reference), "bad_reference");
+    EXPECT_STREQ(name_of(ValidationIssueKind::unsorted_references), "unsorted_references");
+    EXPECT_STREQ(name_of(ValidationIssueKind::missing_reference), "missing_reference");
+    EXPECT_STREQ(name_of(ValidationIssueKind::stray_reference), "stray_reference");
+    EXPECT_STREQ(name_of(ValidationIssueKind::lost_primitive), "lost_primitive");
+    EXPECT_STREQ(name_of(ValidationIssueKind::bounds_too_small), "bounds_too_small");
+    EXPECT_STREQ(name_of(static_cast<ValidationIssueKind>(99)), "unknown");
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ enum class ValidationIssueKind {
 };
 
 /// The stable lower-case name of a kind of issue, e.g. "lost_primitive".
-[[nodiscard]] COPPICE_EXPORT const char* finding_name(ValidationIssueKind kind) noexcept;
+[[nodiscard]] COPPICE_EXPORT const char* name_of(ValidationIssueKind kind) noexcept;
 
 /// One fault of a tree. `subject` is the index of a node, with these exceptions: the id of a
 /// primitive for lost_primitive and bounds_too_small; the index of a reference for
