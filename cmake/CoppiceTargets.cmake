@@ -32,7 +32,7 @@ function(coppice_target target)
     # In clang-tidy's place, whose modernize-use-nullptr mistakes what C++20 makes of `tuple < tuple`;
     # and g++ 12 is wrong about "a" + std::string (GCC bug 105651).
     # a & b of two conditions means without a branch.
-    $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>
+    $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical -Wno-shadow> # the latter: of friends, too
     $<$<CXX_COMPILER_ID:GNU>:-Wzero-as-null-pointer-constant -Wno-restrict>)
   if(COPPICE_WERROR)
     target_compile_options(${target} PRIVATE -Werror)
@@ -60,7 +60,8 @@ function(coppice_compile_together target)
   if(COPPICE_TOGETHER)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${COPPICE_TOGETHER})
     # Another source's definitions are shadowed, and g++ is wrong about what it then inlines.
-    target_compile_options(${target} PRIVATE -Wno-shadow -Wno-maybe-uninitialized)
+    target_compile_options(${target} PRIVATE -Wno-shadow
+      $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   endif()
 endfunction()
 

@@ -21,7 +21,6 @@ namespace coppice::inline v0 {
 namespace {
 
 constexpr std::uint32_t sampled_per_piece = 16;
-constexpr std::uint32_t no_piece = std::numeric_limits<std::uint32_t>::max();
 
 KdTree divide(PrimitiveSetView primitives, std::uint32_t piece_count) {
     KdOptions options;
