@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 namespace coppice::inline v0 {
