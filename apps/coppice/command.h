@@ -3,14 +3,16 @@
 #include "interrupts.h"
 #include "output.h"
 
-#include <CLI/CLI.hpp>
-
 #include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace coppice::app {
 

@@ -3,22 +3,13 @@
 #include "coppice/base/parallel.h"
 #include "coppice/version.h"
 
-#include <fmt/chrono.h>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <sys/utsname.h>
 #include <unistd.h>
 
-#include <chrono>
+#include <array>
+#include <ctime>
 #include <fstream>
-
-// Set by the build for this file alone.
-#ifndef COPPICE_BUILD_TYPE
-#define COPPICE_BUILD_TYPE "unknown"
-#endif
-#ifndef COPPICE_COMPILER_FLAGS
-#define COPPICE_COMPILER_FLAGS ""
-#endif
 
 namespace coppice::lab {
 
@@ -71,8 +62,13 @@ void to_json(nlohmann::json& json, const Machine& machine) {
 }
 
 std::string utc_now() {
-    const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+    const std::time_t now = std::time(nullptr);
+    std::tm parts{};
+    std::array<char, 32> text{};
+    const std::size_t size = gmtime_r(&now, &parts) == nullptr
+                                 ? 0
+                                 : std::strftime(text.data(), text.size(), "%FT%TZ", &parts);
+    return {text.data(), size};
 }
 
 nlohmann::ordered_json provenance_json() {
@@ -103,14 +99,6 @@ std::string_view compiler_name() noexcept {
 #endif
 #undef COPPICE_TEXT
 #undef COPPICE_TEXT_OF
-}
-
-std::string_view build_type() noexcept {
-    return COPPICE_BUILD_TYPE;
-}
-
-std::string_view compiler_flags() noexcept {
-    return COPPICE_COMPILER_FLAGS;
 }
 
 }  // namespace coppice::lab
