@@ -137,9 +137,16 @@ void run_journal(lab::Journal& journal, Output& output) {
         const DeferInterrupts whole_line;
         journal.add(key, figures);
     };
+    std::size_t printed_rows = 0;  // of the current scene
+    observer.on_builder = [&](const lab::SceneResult& scene) {
+        progress.clear();
+        output.print(lab::result_rows(scene, printed_rows));
+        printed_rows = scene.rows.size();
+    };
     observer.on_scene = [&](const lab::SceneResult& scene) {
         progress.clear();
-        output.print(lab::result_table(scene, options.tolerance) + '\n');
+        output.print(lab::result_choices(scene, options.tolerance) + '\n');
+        printed_rows = 0;
         const std::string rays = lab::rays_text(scene);
         if (!rays.empty()) output.print(rays + '\n');
     };

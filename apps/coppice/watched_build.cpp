@@ -82,7 +82,7 @@ void watch_build(lab::ProgressLine& progress, const std::string& what, const Bui
     ShownProgress shown(progress, what);
     BuildControl control = limits;
     control.stop = watch.token();
-    if (progress.is_active()) control.on_progress = [&](double done) { shown.show(done); };
+    control.on_progress = [&](double done) { shown.show(done); };
     try {
         build(control);
     } catch (const Error& error) {

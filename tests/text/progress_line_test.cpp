@@ -4,6 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <string>
+#include <thread>
+
 namespace coppice::lab {
 
 namespace {
@@ -30,17 +36,41 @@ TEST(ProgressLine, TextIsCutToTheWidthTimesLast) {
     EXPECT_EQ(progress_text("dragon", 3.0, {}, -1), "");
 }
 
-TEST(ProgressLine, WritesNothingWhereThereIsNoTerminal) {
+/// What a line that was shown for a while left in a file, which is no terminal.
+std::string shown_in_a_file(std::chrono::milliseconds pause, std::chrono::milliseconds while_shown,
+                            std::chrono::milliseconds while_cleared = {}) {
     std::FILE* file = std::tmpfile();
-    ASSERT_NE(file, nullptr);
+    if (file == nullptr) return "no temporary file";
     {
-        ProgressLine line(file);
-        EXPECT_FALSE(line.is_active());
-        line.show("dragon", 3.0);
+        ProgressLine line(file, pause);
+        line.show("dragon", 3600.0);
+        std::this_thread::sleep_for(while_shown);
         line.clear();
+        std::this_thread::sleep_for(while_cleared);
     }
-    EXPECT_EQ(std::ftell(file), 0);
+    std::string text(static_cast<std::size_t>(std::ftell(file)), ' ');
+    std::rewind(file);
+    text.resize(std::fread(text.data(), 1, text.size(), file));
     std::fclose(file);
+    return text;
+}
+
+using namespace std::chrono_literals;
+
+TEST(ProgressLine, WritesNothingBeforeTheFirstPauseWhereThereIsNoTerminal) {
+    EXPECT_EQ(shown_in_a_file(1h, 5ms), "");
+}
+
+TEST(ProgressLine, WritesALineAfterEachPauseWhereThereIsNoTerminal) {
+    const std::string text = shown_in_a_file(20ms, 500ms);
+    EXPECT_EQ(text.rfind("coppice: dragon | ", 0), 0U) << text;
+    EXPECT_NE(text.find(", about "), std::string::npos) << text;
+    EXPECT_GE(std::count(text.begin(), text.end(), '\n'), 2);
+    EXPECT_EQ(text.find('\r'), std::string::npos);
+}
+
+TEST(ProgressLine, WritesNothingAfterItWasClearedWhereThereIsNoTerminal) {
+    EXPECT_EQ(shown_in_a_file(500ms, 0ms, 1200ms), "");
 }
 
 TEST(RemainingTime, UnknownUntilSomethingIsDone) {

@@ -29,6 +29,9 @@ struct ExperimentObserver {
     std::function<void(const TreeKey&, const TreeFigures&)> on_row;
     /// What was measured of a tree that need not be built again, as an earlier run has.
     std::function<std::optional<TreeFigures>(const TreeKey&)> find_finished;
+    /// When all rows of a builder over a kind of primitive are there: the scene with the rows so
+    /// far and what is recommended of them. What is found from all rows is not there yet.
+    std::function<void(const SceneResult&)> on_builder;
 };
 
 /// Runs the experiment: for every scene, kind of primitive, builder, sampler, seed and rate it

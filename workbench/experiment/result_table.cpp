@@ -100,8 +100,9 @@ const Recommendation* find_recommendation(const SceneResult& scene, const Result
     return nullptr;
 }
 
-/// Whether the protocols' rows are of several samplers.
+/// Whether the protocols' rows are of several samplers, as the first protocol's tell.
 bool has_samplers(const SceneResult& scene) {
+    if (scene.rows.empty()) return false;
     const ResultRow& first = scene.rows.front();
     return std::any_of(scene.rows.begin(), scene.rows.end(), [&](const ResultRow& row) {
         return row.protocol == first.protocol && row.sampler != first.sampler;
@@ -156,32 +157,23 @@ std::string choice_lines(std::span<const Recommendation> choices, bool names_sam
     return text.empty() ? "  none\n" : text;
 }
 
-std::string recommendation_lines(const SceneResult& scene, double tolerance, int seed_count) {
-    const bool names_sampler = has_samplers(scene);
-    return fmt::format(
-        "* recommended: {}\n{}knee: the greatest saving of time per added cost (Kneedle)\n{}",
-        recommendation_rule(tolerance, seed_count),
-        choice_lines(scene.recommended, names_sampler, true),
-        choice_lines(scene.knees, names_sampler, false));
-}
-
 }  // namespace
 
-std::string result_table(const SceneResult& scene, double tolerance) {
-    if (scene.rows.empty()) return {};
-    const std::vector<RateSummary> summaries = summarize_seeds(scene.rows);
-    auto summary = summaries.begin();  // in the order of the groups
-    const bool names_sampler = has_samplers(scene);
-    std::string text;
+std::string result_rows(const SceneResult& scene, std::size_t first) {
     const auto groups =
         group_by(std::span<const ResultRow>(scene.rows),
                  [](const ResultRow& a, const ResultRow& b) { return a.is_twin_of(b); });
-    const ResultRow* last = nullptr;
-    for (const RowGroup& group : groups) {
+    const std::vector<RateSummary> summaries = summarize_seeds(scene.rows);  // in the same order
+    const bool names_sampler = has_samplers(scene);
+    std::string text;
+    const ResultRow* last = first > 0 ? &scene.rows[first - 1] : nullptr;
+    for (std::size_t at = 0; at < groups.size(); ++at) {
+        const RowGroup& group = groups[at];
         const ResultRow& row = *group.front();
+        if (&row < scene.rows.data() + first) continue;
         const bool is_new_kind = last == nullptr || row.primitives != last->primitives;
         if (is_new_kind) {
-            if (!text.empty()) text += '\n';
+            if (last != nullptr) text += '\n';
             text += title(row, !names_sampler, group.size()) + header_line() + '\n';
         }
         const bool is_new_section =
@@ -194,11 +186,20 @@ std::string result_table(const SceneResult& scene, double tolerance) {
         const Recommendation* chosen = find_recommendation(scene, row);
         text +=
             group_line(group, chosen != nullptr && chosen->chosen.percent == row.sample_percent);
-        text += group.size() > 1 ? confidence_text(*summary) + '\n' : "\n";
-        ++summary;
+        text += group.size() > 1 ? confidence_text(summaries[at]) + '\n' : "\n";
     }
-    const auto seed_count = static_cast<int>(summaries.front().seed_count);
-    return text + '\n' + recommendation_lines(scene, tolerance, seed_count);
+    return text;
+}
+
+std::string result_choices(const SceneResult& scene, double tolerance) {
+    if (scene.rows.empty()) return {};
+    const bool names_sampler = has_samplers(scene);
+    const auto seed_count = static_cast<int>(summarize_seeds(scene.rows).front().seed_count);
+    return fmt::format(
+        "\n* recommended: {}\n{}knee: the greatest saving of time per added cost (Kneedle)\n{}",
+        recommendation_rule(tolerance, seed_count),
+        choice_lines(scene.recommended, names_sampler, true),
+        choice_lines(scene.knees, names_sampler, false));
 }
 
 }  // namespace coppice::lab

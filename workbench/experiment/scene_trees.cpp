@@ -11,6 +11,8 @@
 #include "experiment/build_work.h"
 #include "experiment/scene_rays.h"
 #include "experiment/tree_measurement.h"
+#include "rows/recommend.h"
+#include "rows/seed_summary.h"
 #include "tracers/memory_limit.h"
 
 #include <fmt/format.h>
@@ -63,12 +65,20 @@ public:
     void run_all() {
         for (const PrimitiveKind kind : scene_.kinds) {
             for (const Builder& builder : run_.builders) {
-                if (is_built_over(builder, kind)) run_builder(kind, builder);
+                if (!is_built_over(builder, kind)) continue;
+                run_builder(kind, builder);
+                tell_rows();
             }
         }
     }
 
 private:
+    void tell_rows() {
+        if (!run_.observer.on_builder) return;
+        result_.recommended = recommend(summarize_seeds(result_.rows), run_.options.tolerance);
+        run_.observer.on_builder(result_);
+    }
+
     void run_builder(PrimitiveKind kind, const Builder& builder) {
         for (const std::string& sampler : builder.samplers) {
             for (int seed = 1; seed <= run_.options.seed_count; ++seed) {

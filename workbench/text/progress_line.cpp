@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <string_view>
+#include <system_error>
 
 namespace coppice::lab {
 
@@ -55,45 +56,48 @@ std::string bar_text(const std::string& what, double share) {
     return fmt::format("{} [{}] {} %", what, bar, static_cast<int>(100.0 * share));
 }
 
-ProgressLine::ProgressLine(std::FILE* stream)
-    : stream_(stream), is_active_(can_wipe_lines(stream)) {
-    if (is_active_) redraw_ = std::thread([this] { redraw_until_stopped(); });
+ProgressLine::ProgressLine(std::FILE* stream, Milliseconds pause)
+    : stream_(stream),
+      can_wipe_(can_wipe_lines(stream)),
+      pause_(can_wipe_ ? Milliseconds(500) : pause) {
+    try {
+        drawing_ = std::thread([this] { draw_until_stopped(); });
+    } catch (const std::system_error&) {
+        // The system gives no thread: the work goes on, and nobody hears how far it is.
+    }
 }
 
 ProgressLine::~ProgressLine() {
-    if (!is_active_) return;
     clear();
     {
         const std::lock_guard lock(mutex_);
         is_stopping_ = true;
     }
     stopped_.notify_one();
-    redraw_.join();
+    if (drawing_.joinable()) drawing_.join();
 }
 
 void ProgressLine::show(const std::string& what, std::optional<double> remaining_seconds) {
-    if (!is_active_) return;
     const std::lock_guard lock(mutex_);
     what_ = what;
     end_seconds_.reset();
     if (remaining_seconds) end_seconds_ = timer_.seconds() + *remaining_seconds;
     is_visible_ = true;
-    draw();
+    if (can_wipe_) draw();
 }
 
 void ProgressLine::clear() {
-    if (!is_active_) return;
     const std::lock_guard lock(mutex_);
     if (!is_visible_) return;
     is_visible_ = false;
+    if (!can_wipe_) return;
     std::fwrite(wipe_line.data(), 1, wipe_line.size(), stream_);
     std::fflush(stream_);
 }
 
-void ProgressLine::redraw_until_stopped() {
+void ProgressLine::draw_until_stopped() {
     std::unique_lock lock(mutex_);
-    while (
-        !stopped_.wait_for(lock, std::chrono::milliseconds(500), [this] { return is_stopping_; })) {
+    while (!stopped_.wait_for(lock, pause_, [this] { return is_stopping_; })) {
         if (is_visible_) draw();
     }
 }
@@ -102,9 +106,15 @@ void ProgressLine::draw() {
     const double now = timer_.seconds();
     std::optional<double> remaining;
     if (end_seconds_) remaining = std::max(0.0, *end_seconds_ - now);
-    // One column stays free: a full line would wrap on some terminals.
-    const std::string line =
-        std::string(wipe_line) + progress_text(what_, now, remaining, terminal_width(stream_) - 1);
+    std::string line;
+    if (can_wipe_) {
+        // One column stays free: a full line would wrap on some terminals.
+        line = std::string(wipe_line) +
+               progress_text(what_, now, remaining, terminal_width(stream_) - 1);
+    } else {
+        constexpr int uncut = 1000;
+        line = "coppice: " + progress_text(what_, now, remaining, uncut) + '\n';
+    }
     std::fwrite(line.data(), 1, line.size(), stream_);
     std::fflush(stream_);
 }

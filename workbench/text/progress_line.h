@@ -2,6 +2,7 @@
 
 #include "coppice/base/timer.h"
 
+#include <chrono>
 #include <condition_variable>
 #include <cstdio>
 #include <mutex>
@@ -22,19 +23,19 @@ namespace coppice::lab {
 /// "rendering [=====     ] 47 %", for a share in [0, 1].
 [[nodiscard]] std::string bar_text(const std::string& what, double share);
 
-/// One line on a terminal that tells what runs; redrawn every half second, wiped out by clear().
-/// Where the stream is no terminal nothing is ever written. May be used by any thread, one at a
-/// time.
+/// Tells what runs. On a terminal that is one line, redrawn every half second and wiped out by
+/// clear(). Elsewhere, as in a pipe, it is a new line after each pause, for as long as something is
+/// shown. May be used by any thread, one at a time.
 class ProgressLine {
 public:
-    /// The line appears with the first show(); elapsed time counts from here.
-    explicit ProgressLine(std::FILE* stream);
+    using Milliseconds = std::chrono::milliseconds;
+
+    /// The line appears with the first show(); elapsed time counts from here. `pause` is that
+    /// between two lines where they cannot be wiped out.
+    explicit ProgressLine(std::FILE* stream, Milliseconds pause = std::chrono::seconds(10));
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
     ~ProgressLine();
-
-    /// True if the stream is a terminal that can wipe a line.
-    [[nodiscard]] bool is_active() const noexcept { return is_active_; }
 
     /// Replaces what the line says. The remaining time counts down until the next call.
     void show(const std::string& what, std::optional<double> remaining_seconds = {});
@@ -43,11 +44,12 @@ public:
     void clear();
 
 private:
-    void redraw_until_stopped();
+    void draw_until_stopped();
     void draw();  // mutex_ is held
 
     std::FILE* stream_;
-    bool is_active_;
+    bool can_wipe_;
+    Milliseconds pause_;
     Timer timer_;
     std::mutex mutex_;
     std::condition_variable stopped_;
@@ -55,7 +57,7 @@ private:
     bool is_visible_ = false;
     std::string what_;
     std::optional<double> end_seconds_;  // when the timer is expected to stand at the end
-    std::thread redraw_;
+    std::thread drawing_;
 };
 
 }  // namespace coppice::lab
